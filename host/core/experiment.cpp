@@ -1,0 +1,69 @@
+// See experiment.hpp: look-ups and names.
+#include "core/experiment.hpp"
+
+#include "core/error.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <map>
+
+namespace pelage {
+
+namespace {
+
+struct ModelFacts {
+    std::string name;
+    std::vector<std::string> parameters;
+};
+
+const ModelFacts& facts(Model model) {
+    static const std::map<Model, ModelFacts> table{
+        {Model::turing, {"turing", {"alpha", "beta"}}},
+        {Model::gray_scott, {"gray-scott", {"f", "k"}}},
+        {Model::linear, {"linear", {"au", "bu", "cu", "du", "mu", "av", "bv", "cv", "dv", "mv"}}},
+        {Model::gm1, {"gm1", {"a", "b", "c"}}},
+        {Model::cubic, {"cubic", {"a", "b", "c"}}},
+        {Model::reinforcement, {"reinforcement", {"threshold", "width"}}},
+    };
+    return table.at(model);
+}
+
+}  // namespace
+
+std::size_t parameter_count(Model model) { return facts(model).parameters.size(); }
+const std::vector<std::string>& parameter_names(Model model) { return facts(model).parameters; }
+const std::string& model_name(Model model) { return facts(model).name; }
+
+std::size_t Experiment::chemical(const std::string& name) const {
+    const auto found =
+        std::find_if(chemicals.begin(), chemicals.end(), [&](const Chemical& c) { return c.name == name; });
+    if (found != chemicals.end()) return static_cast<std::size_t>(found - chemicals.begin());
+    std::vector<std::string> names;
+    for (const Chemical& c : chemicals) names.push_back(c.name);
+    throw Error(fmt::format("chemical '{}' is not defined; defined here: {}", name, fmt::join(names, ", ")));
+}
+
+const Phase& Experiment::phase_at(std::uint64_t iteration) const {
+    const Phase* current = &phases.front();
+    for (const Phase& phase : phases) {
+        if (phase.begin <= iteration) current = &phase;
+    }
+    return *current;
+}
+
+std::uint64_t Experiment::last_iteration() const {
+    return exit_after_snaps && !snap_at.empty() ? std::min(stop_at, snap_at.back()) : stop_at;
+}
+
+std::int64_t Experiment::run_seed() const {
+    if (seed) return *seed;
+    std::int64_t last = 1;
+    for (const Statement& statement : prepattern) {
+        if (const auto* use = std::get_if<UseSeed>(&statement)) last = use->seed;
+    }
+    return last;
+}
+
+}  // namespace pelage

@@ -1,0 +1,336 @@
+// An experiment as a plain value: chemicals, how the tissue starts, rules, phases and what to record.
+// The language parses text into it; a C++ user may also fill one by hand and call validate().
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <limits>
+#include <memory>
+#include <optional>
+#include <string>
+#include <variant>
+#include <vector>
+
+namespace pelage {
+
+inline constexpr std::uint64_t forever = std::numeric_limits<std::uint64_t>::max();
+inline constexpr std::uint64_t largest_iteration = 0xffffffffu;  // the random counter has 32 bits for it
+inline constexpr std::size_t largest_cell_count = 0x7fffffffu;   // device kernels index cells with int
+inline constexpr std::size_t largest_chemical_count = 64;
+
+// Weights of a lattice Laplacian; the cell's own weight is minus the sum of the others.
+enum class Stencil {
+    moore,       // eight neighbours, weight 1 each (Malheiros & Walter 2017)
+    nine_point,  // [1 4 1; 4 -20 4; 1 4 1] / 6, isotropic (Malheiros, Fensterseifer & Walter 2020)
+    five_point,  // four edge neighbours, weight 1 each
+    sims         // 0.2 along edges, 0.05 along diagonals (Sims; McConnell 2024)
+};
+
+enum class Boundary {
+    no_flux,   // the edge element repeats itself outward
+    wrap,      // torus
+    absorbing  // concentrations outside the lattice read as 0
+};
+
+struct Bounds {
+    double floor = 0.0;  // -infinity: unbounded below
+    double limit = std::numeric_limits<double>::infinity();
+};
+
+// Values of one chemical for every element of a lattice, row-major, bottom row first.
+struct Field {
+    std::size_t columns = 0;
+    std::size_t rows = 0;
+    std::vector<double> values;
+};
+
+struct Chemical {
+    std::string name;
+    Bounds bounds;
+    bool anisotropic = false;
+    std::shared_ptr<const Field> initial;  // from a picture or array; overrides `use` and `set` when present
+};
+
+// ---- parameters of rules
+
+enum class Quantity {
+    number,      // Operand::value
+    neighbours,  // as counted in the previous iteration; 0 at iteration 0 and for a newborn cell
+    age,
+    birth,
+    x,
+    y,
+    row,
+    column,
+    rows,
+    columns,
+    iteration,
+    random,         // uniform in [0, 1), a fresh draw for each cell, iteration and place in the file
+    concentration,  // of chemical Operand::index
+    rate,           // diffusion rate of chemical Operand::index
+    mapping         // mapping Operand::index
+};
+
+struct Operand {
+    Quantity quantity = Quantity::number;
+    double value = 0.0;
+    std::size_t index = 0;
+
+    static Operand number(double v) { return {Quantity::number, v, 0}; }
+    static Operand concentration(std::size_t chemical) { return {Quantity::concentration, 0.0, chemical}; }
+    static Operand rate(std::size_t chemical) { return {Quantity::rate, 0.0, chemical}; }
+    bool operator==(const Operand&) const = default;
+};
+
+// ---- conditions
+
+enum class Comparison { equal, not_equal, less, less_equal, greater, greater_equal };
+
+struct Always {};
+struct Compare {
+    Operand left;
+    Comparison comparison = Comparison::equal;
+    Operand right;
+};
+struct Within {  // low <= value <= high
+    Operand value;
+    Operand low;
+    Operand high;
+};
+struct Probability {  // true where a uniform draw in [0, 1) is less than chance
+    Operand chance;
+};
+using Condition = std::variant<Always, Compare, Within, Probability>;
+
+// ---- actions
+
+enum class Model { turing, gray_scott, linear, gm1, cubic, reinforcement };
+
+// Names of a model's parameters in the order in which React::parameters holds them.
+//   turing         alpha beta
+//   gray_scott     f k
+//   linear         au bu cu du mu av bv cv dv mv
+//   gm1            a b c
+//   cubic          a b c
+//   reinforcement  threshold width
+std::size_t parameter_count(Model);
+const std::vector<std::string>& parameter_names(Model);
+const std::string& model_name(Model);  // as written in the language: "gray-scott"
+
+// Adds scale * f(u, v) * dt. reinforcement acts on u alone and has v == u; cubic acts on u alone.
+struct React {
+    Model model = Model::turing;
+    std::size_t u = 0;
+    std::size_t v = 0;
+    Operand scale = Operand::number(1.0);
+    std::vector<Operand> parameters;
+};
+
+enum class Target { concentration, rate };
+
+struct Change {  // adds amount, or a uniform draw from [amount - deviation, amount + deviation)
+    Target target = Target::concentration;
+    std::size_t chemical = 0;
+    Operand amount;
+    double deviation = 0.0;
+};
+
+struct Set {  // replaces what the iteration would have made of it, diffusion included; bounds still hold
+    Target target = Target::concentration;
+    std::size_t chemical = 0;
+    Operand value;
+};
+
+struct Map {  // mapping = value carried linearly from [from_low, from_high] to [to_low, to_high], clamped
+    Operand value;
+    double from_low = 0.0;
+    double from_high = 1.0;
+    std::size_t mapping = 0;
+    double to_low = 0.0;
+    double to_high = 1.0;
+};
+
+struct Polarize {  // polarity becomes the unit gradient of the chemical where that is steep enough
+    std::size_t chemical = 0;
+};
+
+struct Divide {  // degrees, relative to polarity
+    Operand direction = Operand::number(0.0);
+    double deviation = 0.0;
+};
+
+struct Move {  // along polarity, in units of cell radius
+    Operand distance;
+    double deviation = 0.0;
+};
+
+struct And {};  // the next rule acts only where this condition holds too
+
+enum class Distribution { shuffled, uniform, normal, triangular };  // 2020 paper, figure 3
+
+// Matrix expansion: inserts `columns` columns, then `rows` rows (or rows first), each by duplicating one
+// element of every row (column) in place and shifting its successors by one.
+struct Expand {
+    std::size_t columns = 0;
+    std::size_t rows = 0;
+    bool rows_first = false;
+    Distribution distribution = Distribution::uniform;
+    // Elements whose relative place lies in [band_low, band_high] are picked `band_weight` times as often.
+    double band_weight = 1.0;
+    double band_low = 0.0;
+    double band_high = 0.0;
+    bool band_rows = true;  // the band is one of rows (weighs row insertion), else of columns
+};
+
+using Action = std::variant<React, Change, Set, Map, Polarize, Divide, Move, And, Expand>;
+
+struct Rule {
+    std::size_t line = 0;            // in the experiment file; 0 when built by hand
+    std::uint64_t from = 0;          // first iteration, absolute
+    std::uint64_t until = forever;   // last iteration, absolute, inclusive
+    std::uint64_t every = 1;         // acts where (iteration - origin - offset) is a multiple of `every`
+    std::uint64_t offset = 0;        // and iteration >= origin + offset
+    std::uint64_t origin = 0;        // start of the rule's phase
+    Condition condition = Always{};
+    Action action = And{};
+
+    bool active(std::uint64_t iteration) const;
+};
+
+// ---- how the tissue starts: statements carried out in order (see prepattern.hpp)
+
+struct Spread {  // uniform in [value - deviation, value + deviation]
+    double value = 0.0;
+    double deviation = 0.0;
+};
+
+struct UseChemical {
+    std::size_t chemical = 0;
+    std::optional<Spread> conc;
+    std::optional<Spread> diff;
+};
+struct UsePolarity {
+    std::optional<Spread> degrees;  // empty: none
+};
+struct UseSeed {
+    std::int64_t seed = 1;  // 0: from the clock
+};
+struct CreateCell {
+    double x = 0.0, y = 0.0;
+    bool fixed = false;
+};
+enum class Arrangement { sqr_grid, sqr_circle, hex_grid, hex_circle };
+struct CreateGrid {
+    Arrangement arrangement = Arrangement::sqr_grid;
+    std::size_t columns = 0;  // diameter of a sqr_circle, radius of a hex_circle
+    std::size_t rows = 0;     // 0 for circles
+    double x = 0.0, y = 0.0;
+    double deviation = 0.0;
+    bool fixed = false;
+    bool wrap = false;  // sqr_grid only
+};
+struct CreateMatrix {
+    std::size_t columns = 0;
+    std::size_t rows = 0;
+    Boundary boundary = Boundary::no_flux;
+    double x = 0.0, y = 0.0;
+};
+struct CreateShape {
+    std::vector<std::string> lines;  // top line first; letters are cells
+    double x = 0.0, y = 0.0;
+    bool fixed = false;
+};
+struct SetConcentration {
+    std::size_t chemical = 0;
+    Spread value;
+};
+struct SetRate {
+    std::size_t chemical = 0;
+    Spread value;
+};
+struct SetPolarity {
+    std::optional<Spread> degrees;
+};
+struct SetFixed {};
+struct SetCells {
+    std::size_t first = 0;
+    std::size_t last = 0;  // inclusive
+    std::variant<SetConcentration, SetRate, SetPolarity, SetFixed> what;
+};
+using Statement = std::variant<UseChemical, UsePolarity, UseSeed, CreateCell, CreateGrid, CreateMatrix, CreateShape, SetCells>;
+
+// ---- phases
+
+// A stretch of iterations with its own settings. An experiment has at least one; the last one has no end.
+struct Phase {
+    std::string name;
+    std::uint64_t begin = 0;
+    double time_step = 1.0;
+    std::vector<Bounds> bounds;                // one a chemical
+    std::vector<std::optional<double>> rates;  // one a chemical: every cell's diffusion rate from `begin` on
+};
+
+// ---- free cells
+
+struct Domain {
+    double width = 1000.0;  // centres stay inside, centred on (0, 0)
+    double height = 1000.0;
+    bool packed = false;  // a square of side sqrt(cells * area) - 2 instead
+    double area = 3.2;
+};
+
+// ---- what to draw
+
+struct ColourStop {
+    double at = 0.0;  // 0..1
+    std::array<std::uint8_t, 3> rgb{};
+};
+
+struct Colormap {
+    // heat, striped, gradient as published; otherwise a named map ("inferno") or "stops".
+    std::string name = "heat";
+    std::vector<ColourStop> stops;  // for striped and gradient at slot / 99; for "stops" as written
+};
+
+struct Output {  // one picture
+    std::size_t chemical = 0;
+    Colormap colormap;
+    std::optional<std::array<double, 2>> range;  // drawn from low to high colour; empty: minimum to maximum
+};
+
+struct Experiment {
+    std::string source = "(built by hand)";  // file name, for messages
+    std::string text;                        // the file's whole text, kept with results
+
+    std::vector<Chemical> chemicals;
+    std::vector<std::string> mappings;
+    std::vector<Statement> prepattern;
+    std::vector<Rule> rules;
+    std::vector<Phase> phases;
+
+    Stencil stencil = Stencil::nine_point;  // of a matrix; a sqr_grid is always moore
+    Domain domain;
+    std::size_t division_limit = 0;  // a cell with more neighbours does not divide; 0: no limit
+
+    std::uint64_t stop_at = 10000;
+    std::vector<std::uint64_t> snap_at;  // ascending, without doubles
+    bool exit_after_snaps = false;       // end at the last snapshot even if stop_at is later
+
+    std::vector<Output> outputs;  // at least one: the first names final.png
+    std::optional<std::array<std::size_t, 2>> texture;
+    double zoom = 1.0;
+
+    std::optional<std::int64_t> seed;  // overrides every `use seed`
+
+    std::size_t chemical(const std::string& name) const;  // throws Error naming those defined
+    const Phase& phase_at(std::uint64_t iteration) const;
+    std::uint64_t last_iteration() const;  // where a whole run ends
+    std::int64_t run_seed() const;         // key of the draws made during the run: seed, else the last `use seed`, else 1
+};
+
+// Throws Error when an experiment cannot mean anything: no cells, an index out of range, a duplicate name,
+// unsorted phases, a rate that is not finite, more cells than largest_cell_count.
+void validate(const Experiment&);
+
+}  // namespace pelage

@@ -1,0 +1,69 @@
+// See lattice.hpp.
+#include "core/lattice.hpp"
+
+#include "core/error.hpp"
+#include "core/prepattern.hpp"
+
+#include <algorithm>
+#include <variant>
+
+namespace pelage {
+
+namespace {
+
+bool rules_change_rate(const Experiment& experiment, std::size_t chemical) {
+    return std::any_of(experiment.rules.begin(), experiment.rules.end(), [&](const Rule& rule) {
+        const auto hits = [&](const auto* action) {
+            return action != nullptr && action->target == Target::rate && action->chemical == chemical;
+        };
+        return hits(std::get_if<Change>(&rule.action)) || hits(std::get_if<Set>(&rule.action));
+    });
+}
+
+RateKind rate_kind(const Experiment& experiment, const Snapshot& initial, std::size_t chemical) {
+    if (experiment.chemicals[chemical].anisotropic || rules_change_rate(experiment, chemical)) return RateKind::per_cell;
+    const std::vector<double>& rates = initial.diff[chemical];
+    const double first = rates.empty() ? 0.0 : rates.front();
+    const bool same = std::all_of(rates.begin(), rates.end(), [&](double rate) { return rate == first; });
+    if (!same) return RateKind::per_cell;
+    const bool phased = std::any_of(experiment.phases.begin(), experiment.phases.end(),
+                                    [&](const Phase& phase) { return phase.rates[chemical].has_value(); });
+    return first == 0.0 && !phased ? RateKind::none : RateKind::uniform;
+}
+
+bool uses_polarity(const Experiment& experiment, const Snapshot& initial) {
+    const auto polarizes = [](const Rule& rule) { return std::holds_alternative<Polarize>(rule.action); };
+    if (std::any_of(experiment.rules.begin(), experiment.rules.end(), polarizes)) return true;
+    const auto set = [](double p) { return p != 0.0; };
+    const bool any = std::any_of(initial.polarity_x.begin(), initial.polarity_x.end(), set) ||
+                     std::any_of(initial.polarity_y.begin(), initial.polarity_y.end(), set);
+    return any && std::any_of(experiment.chemicals.begin(), experiment.chemicals.end(),
+                              [](const Chemical& chemical) { return chemical.anisotropic; });
+}
+
+}  // namespace
+
+LatticePlan lattice_plan(const Experiment& experiment, const Snapshot& initial) {
+    if (!is_lattice(experiment)) throw Error(experiment.source + ": the tissue is not a lattice");
+    LatticePlan plan;
+    plan.columns = initial.columns;
+    plan.rows = initial.rows;
+    for (const Statement& statement : experiment.prepattern) {
+        if (const auto* matrix = std::get_if<CreateMatrix>(&statement)) {
+            plan.boundary = matrix->boundary;
+            plan.stencil = experiment.stencil;
+            plan.arithmetic = Arithmetic::fused;
+        } else if (const auto* grid = std::get_if<CreateGrid>(&statement)) {
+            plan.boundary = grid->wrap ? Boundary::wrap : Boundary::no_flux;
+            plan.stencil = Stencil::moore;
+            plan.arithmetic = Arithmetic::published;
+        }
+    }
+    for (std::size_t chemical = 0; chemical < experiment.chemicals.size(); ++chemical) {
+        plan.rates.push_back(rate_kind(experiment, initial, chemical));
+    }
+    plan.polarity = uses_polarity(experiment, initial);
+    return plan;
+}
+
+}  // namespace pelage

@@ -1,0 +1,26 @@
+// Counter-based random numbers: Philox4x32-10 (Salmon, Moraes, Dror & Shaw 2011).
+#pragma once
+
+#include <array>
+#include <cstdint>
+
+namespace pelage {
+
+std::array<std::uint32_t, 4> philox4x32_10(std::array<std::uint32_t, 4> counter, std::array<std::uint32_t, 2> key);
+
+// What a draw is for: the fourth word of the counter. The counter is (cell, iteration, rule, purpose), the key is
+// (low, high) word of the seed; `rule` is the rule's place in Experiment::rules, from 0.
+namespace purpose {
+inline constexpr std::uint32_t condition = 0;  // Probability
+inline constexpr std::uint32_t deviation = 1;  // Change, Divide, Move
+inline constexpr std::uint32_t operand = 2;    // RANDOM; the n-th of one rule (from 0) uses word n % 4 of operand + 16 * (n / 4)
+inline constexpr std::uint32_t expansion = 3;
+}  // namespace purpose
+
+// Uniform in [0, 1) from the upper 24 bits: exact in float and double alike.
+template <class T>
+T unit_uniform(std::uint32_t word) {
+    return static_cast<T>(word >> 8) * static_cast<T>(0x1p-24);
+}
+
+}  // namespace pelage

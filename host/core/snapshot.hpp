@@ -1,0 +1,34 @@
+// The whole state of a tissue between two iterations, as a structure of arrays.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <utility>
+#include <vector>
+
+namespace pelage {
+
+// Values are held as double whatever the precision of the run: a float survives the trip unchanged.
+// Cells are in id order; on a lattice id = row * columns + column, the bottom row being row 0.
+struct Snapshot {
+    std::uint64_t iteration = 0;
+    std::size_t columns = 0;  // 0 for free cells
+    std::size_t rows = 0;
+    double origin_x = 0.0;  // centre of a lattice
+    double origin_y = 0.0;
+
+    std::vector<std::vector<double>> conc;      // [chemical][cell]
+    std::vector<std::vector<double>> diff;      // [chemical][cell], diffusion rates
+    std::vector<std::vector<double>> mappings;  // [mapping][cell]
+    std::vector<double> x, y;                   // centres, in units of cell radius
+    std::vector<double> polarity_x, polarity_y;
+    std::vector<std::int32_t> birth;
+    std::vector<std::int32_t> neighbours;  // as counted in the previous iteration
+    std::vector<std::uint8_t> fixed;
+    std::vector<std::pair<std::uint32_t, std::uint32_t>> mirrors;  // ids of mirror pairs
+
+    bool lattice() const { return columns != 0; }
+    std::size_t cells() const { return x.size(); }
+};
+
+}  // namespace pelage

@@ -1,0 +1,53 @@
+// See stability.hpp.
+#include "core/stability.hpp"
+
+#include "core/prepattern.hpp"
+
+#include <algorithm>
+
+namespace pelage {
+
+double stiffness(Stencil stencil) {
+    switch (stencil) {
+        case Stencil::moore: return 12.0;           // at wave vector (pi, 0): 8 - (2 - 2 - 4)
+        case Stencil::nine_point: return 16.0 / 3;  // at (pi, pi): (20 + 16 - 4) / 6
+        case Stencil::five_point: return 8.0;       // at (pi, pi)
+        case Stencil::sims: return 1.6;             // at (pi, pi): 1 + 0.8 - 0.2
+    }
+    return 0.0;
+}
+
+namespace {
+
+double lattice_stiffness(const Experiment& experiment) {
+    const auto is_grid = [](const Statement& statement) { return std::holds_alternative<CreateGrid>(statement); };
+    const bool grid = std::any_of(experiment.prepattern.begin(), experiment.prepattern.end(), is_grid);
+    return stiffness(grid ? Stencil::moore : experiment.stencil);
+}
+
+// A free cell of the published kind has about six neighbours; the hexagonal lattice's eigenvalue bounds its diffusion.
+constexpr double hexagonal_stiffness = 9.0;
+
+}  // namespace
+
+std::optional<Instability> find_instability(const Experiment& experiment, const Snapshot& initial) {
+    const double stiff = is_lattice(experiment) ? lattice_stiffness(experiment) : hexagonal_stiffness;
+    std::vector<double> largest;
+    for (const std::vector<double>& rates : initial.diff) {
+        largest.push_back(rates.empty() ? 0.0 : *std::max_element(rates.begin(), rates.end()));
+    }
+    for (const Phase& phase : experiment.phases) {
+        for (std::size_t chemical = 0; chemical < largest.size(); ++chemical) {
+            if (phase.rates[chemical]) largest[chemical] = *phase.rates[chemical];
+            const double rate = largest[chemical];
+            // A hair of slack: an experiment may sit exactly on the limit.
+            if (rate > 0.0 && rate * stiff * phase.time_step > 2.0 * (1 + 1e-6)) {
+                return Instability{phase.name, experiment.chemicals[chemical].name, rate, phase.time_step,
+                                   2.0 / (rate * stiff)};
+            }
+        }
+    }
+    return std::nullopt;
+}
+
+}  // namespace pelage

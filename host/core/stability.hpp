@@ -1,0 +1,27 @@
+// The explicit Euler limit of diffusion, checked before a run.
+#pragma once
+
+#include "core/experiment.hpp"
+#include "core/snapshot.hpp"
+
+#include <optional>
+#include <string>
+
+namespace pelage {
+
+struct Instability {
+    std::string phase;     // empty when the experiment has only one
+    std::string chemical;
+    double rate = 0.0;             // the largest of any cell
+    double time_step = 0.0;
+    double largest_time_step = 0.0;  // that holds: 2 / (rate * largest eigenvalue of the stencil)
+};
+
+// Largest eigenvalue of minus the stencil on an endless lattice.
+double stiffness(Stencil);
+
+// The first phase and chemical whose positive rates break the limit; empty: stable. Rates that rules change
+// during the run cannot be foreseen and are not judged.
+std::optional<Instability> find_instability(const Experiment&, const Snapshot& initial);
+
+}  // namespace pelage

@@ -1,0 +1,127 @@
+// See tissue.hpp.
+#include "core/tissue.hpp"
+
+#include "core/error.hpp"
+#include "core/prepattern.hpp"
+#include "core/schedule.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <variant>
+
+namespace pelage {
+
+namespace {
+
+void check_length(const char* what, std::size_t found, std::size_t wanted) {
+    if (found != wanted) throw Error(fmt::format("the state's {} has {} entries; the experiment needs {}", what, found, wanted));
+}
+
+void check_shape(const Experiment& experiment, const Snapshot& snapshot) {
+    const std::size_t cells = snapshot.cells();
+    check_length("list of concentrations", snapshot.conc.size(), experiment.chemicals.size());
+    check_length("list of rates", snapshot.diff.size(), experiment.chemicals.size());
+    check_length("list of mappings", snapshot.mappings.size(), experiment.mappings.size());
+    for (const auto& column : snapshot.conc) check_length("concentration", column.size(), cells);
+    for (const auto& column : snapshot.diff) check_length("rate", column.size(), cells);
+    for (const auto& column : snapshot.mappings) check_length("mapping", column.size(), cells);
+    check_length("y", snapshot.y.size(), cells);
+    check_length("polarity x", snapshot.polarity_x.size(), cells);
+    check_length("polarity y", snapshot.polarity_y.size(), cells);
+    check_length("birth", snapshot.birth.size(), cells);
+    check_length("neighbour count", snapshot.neighbours.size(), cells);
+    check_length("fixed mark", snapshot.fixed.size(), cells);
+    if (snapshot.lattice()) check_length("lattice", snapshot.columns * snapshot.rows, cells);
+    if (cells == 0) throw Error("the state has no cells");
+}
+
+}  // namespace
+
+Tissue::Tissue(std::shared_ptr<const Experiment> experiment, const Snapshot& initial)
+    : experiment_(std::move(experiment)),
+      iteration_(initial.iteration),
+      columns_(initial.columns),
+      rows_(initial.rows) {
+    check_shape(*experiment_, initial);
+}
+
+void Tissue::advance(std::uint64_t iterations) {
+    if (iterations > largest_iteration - std::min(iteration_, largest_iteration)) {
+        throw Error(fmt::format("a run cannot pass iteration {}", largest_iteration));
+    }
+    const std::uint64_t end = iteration_ + iterations;
+    while (iteration_ < end) {
+        begin_iteration();
+        std::uint64_t next = end;
+        for (const Phase& phase : experiment_->phases) {
+            if (phase.begin > iteration_) next = std::min(next, phase.begin);
+        }
+        for (const Rule& rule : experiment_->rules) {
+            if (std::holds_alternative<Expand>(rule.action)) next = std::min(next, next_active(rule, iteration_ + 1));
+        }
+        do_advance(iteration_, next - iteration_);
+        iteration_ = next;
+    }
+}
+
+void Tissue::begin_iteration() {
+    const Phase& phase = experiment_->phase_at(iteration_);
+    if (phase.begin == iteration_) {
+        for (std::size_t chemical = 0; chemical < phase.rates.size(); ++chemical) {
+            if (phase.rates[chemical]) do_set_rate(chemical, *phase.rates[chemical]);
+        }
+    }
+    for (std::size_t rule = 0; rule < experiment_->rules.size(); ++rule) {
+        const auto* growth = std::get_if<Expand>(&experiment_->rules[rule].action);
+        if (growth == nullptr || !experiment_->rules[rule].active(iteration_)) continue;
+        for (std::size_t nth = 0; nth < growth->columns + growth->rows; ++nth) {
+            const bool column = growth->rows_first ? nth >= growth->rows : nth < growth->columns;
+            insert(draw_insertion(*growth, column, columns_, rows_, experiment_->run_seed(), iteration_, rule, nth));
+        }
+    }
+}
+
+void Tissue::expand(const Insertion& insertion) {
+    if (columns_ == 0) throw Error("only a lattice can be expanded; this tissue has free cells");
+    const std::size_t lines = insertion.column ? rows_ : columns_;
+    const std::size_t places = insertion.column ? columns_ : rows_;
+    if (insertion.picks.size() != lines) {
+        throw Error(fmt::format("an expansion of a {} x {} matrix needs {} picks; found {}", columns_, rows_, lines,
+                                insertion.picks.size()));
+    }
+    for (const std::uint32_t pick : insertion.picks) {
+        if (pick >= places) throw Error(fmt::format("a pick of {} lies outside 0..{}", pick, places - 1));
+    }
+    insert(insertion);
+}
+
+void Tissue::insert(const Insertion& insertion) {
+    const std::size_t added = insertion.picks.size();
+    if (cells() + added > largest_cell_count) {
+        throw Error(fmt::format("growth past {} cells at iteration {}; no more can be addressed", largest_cell_count, iteration_));
+    }
+    do_expand(insertion);
+    (insertion.column ? columns_ : rows_) += 1;
+}
+
+Snapshot Tissue::read() const {
+    Snapshot snapshot = do_read();
+    snapshot.iteration = iteration_;
+    return snapshot;
+}
+
+void Tissue::write(const Snapshot& snapshot) {
+    check_shape(*experiment_, snapshot);
+    if (snapshot.lattice() != (columns_ != 0)) throw Error("a lattice and free cells cannot take each other's state");
+    do_write(snapshot);
+    iteration_ = snapshot.iteration;
+    columns_ = snapshot.columns;
+    rows_ = snapshot.rows;
+}
+
+std::unique_ptr<Tissue> Backend::make_tissue(const Experiment& experiment) {
+    return make_tissue(experiment, initial_state(experiment));
+}
+
+}  // namespace pelage

@@ -1,0 +1,88 @@
+// The waist: all that the layers above know of a running simulation and of the machine that runs it.
+#pragma once
+
+#include "core/experiment.hpp"
+#include "core/growth.hpp"
+#include "core/neighbours.hpp"
+#include "core/snapshot.hpp"
+
+#include <cstddef>
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <string>
+
+namespace pelage {
+
+enum class Precision { single_, double_ };
+
+struct NonFinite {  // a concentration that is NaN or infinite
+    std::size_t chemical = 0;
+    std::size_t cell = 0;
+};
+
+// One running simulation. advance(a); advance(b) gives the bits of advance(a + b), on every backend.
+// Public calls check their arguments once for all backends; the virtual calls below them do the work.
+class Tissue {
+public:
+    virtual ~Tissue() = default;
+    Tissue(const Tissue&) = delete;
+    Tissue& operator=(const Tissue&) = delete;
+
+    const Experiment& experiment() const { return *experiment_; }
+    std::uint64_t iteration() const { return iteration_; }
+    std::size_t cells() const { return do_cells(); }
+    std::size_t columns() const { return columns_; }  // 0 for free cells
+    std::size_t rows() const { return rows_; }
+
+    // Carries out `iterations` whole iterations, with the expansions and phase changes that fall into them.
+    void advance(std::uint64_t iterations);
+
+    // Lattices only: applies one expansion at once. Throws Error when its picks do not fit the matrix.
+    void expand(const Insertion&);
+
+    Snapshot read() const;
+    void write(const Snapshot&);  // throws Error when the arrays do not fit the experiment
+
+    // The first cell, in order of chemical and id, that holds a NaN or an infinity.
+    std::optional<NonFinite> non_finite() const { return do_non_finite(); }
+
+    // Of the latest iteration's neighbour search, counted when asked; empty where the search is exact by construction.
+    virtual std::optional<SearchStatistics> search_statistics() const { return std::nullopt; }
+
+protected:
+    // Takes iteration and shape from `initial`; the derived class takes the arrays.
+    Tissue(std::shared_ptr<const Experiment>, const Snapshot& initial);
+
+private:
+    virtual std::size_t do_cells() const = 0;
+    // Iterations first .. first + count - 1; no expansion and no phase begins after `first` among them.
+    virtual void do_advance(std::uint64_t first, std::uint64_t count) = 0;
+    virtual void do_expand(const Insertion&) = 0;
+    virtual void do_set_rate(std::size_t chemical, double rate) = 0;  // of every cell
+    virtual Snapshot do_read() const = 0;                            // iteration is filled in by read()
+    virtual void do_write(const Snapshot&) = 0;
+    virtual std::optional<NonFinite> do_non_finite() const = 0;
+
+    void begin_iteration();
+    void insert(const Insertion&);
+
+    std::shared_ptr<const Experiment> experiment_;
+    std::uint64_t iteration_ = 0;
+    std::size_t columns_ = 0;
+    std::size_t rows_ = 0;
+};
+
+// Somewhere to run tissues: the reference, or one OpenCL device.
+class Backend {
+public:
+    virtual ~Backend() = default;
+    virtual std::string name() const = 0;                         // "reference", "opencl: NAME OF DEVICE"
+    virtual Precision precision() const = 0;
+    virtual std::string why_not(const Experiment&) const = 0;     // empty: supported
+    virtual std::unique_ptr<Tissue> make_tissue(const Experiment&, const Snapshot& initial) = 0;
+
+    std::unique_ptr<Tissue> make_tissue(const Experiment&);  // from the experiment's own prepattern
+};
+
+}  // namespace pelage

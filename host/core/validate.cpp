@@ -1,0 +1,193 @@
+// validate(): what makes an experiment meaningless, whoever built it.
+#include "core/error.hpp"
+#include "core/experiment.hpp"
+#include "core/prepattern.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <set>
+
+namespace pelage {
+
+namespace {
+
+class Checker {
+public:
+    explicit Checker(const Experiment& experiment) : experiment_(experiment), lattice_(is_lattice(experiment)) {}
+
+    void check() {
+        check_names();
+        check_phases();
+        check_cells();
+        for (const Rule& rule : experiment_.rules) check_rule(rule);
+        for (const Output& output : experiment_.outputs) check_chemical(output.chemical, "an output");
+        if (experiment_.outputs.empty()) fail("an experiment needs at least one output");
+        if (experiment_.stop_at > largest_iteration) fail(fmt::format("a run cannot pass iteration {}", largest_iteration));
+        if (!std::is_sorted(experiment_.snap_at.begin(), experiment_.snap_at.end())) fail("snapshots are not in order");
+    }
+
+private:
+    [[noreturn]] void fail(const std::string& what) const {
+        const std::string where = line_ == 0 ? experiment_.source : fmt::format("{}:{}", experiment_.source, line_);
+        throw Error(where + ": " + what);
+    }
+
+    void check_names() const {
+        if (experiment_.chemicals.empty()) fail("no chemical is defined; `define chemical NAME`");
+        if (experiment_.chemicals.size() > largest_chemical_count) {
+            fail(fmt::format("{} chemicals are defined; at most {} are allowed", experiment_.chemicals.size(),
+                             largest_chemical_count));
+        }
+        std::set<std::string> names;
+        for (const Chemical& chemical : experiment_.chemicals) {
+            if (!names.insert(chemical.name).second) fail(fmt::format("chemical '{}' is defined twice", chemical.name));
+        }
+        for (const std::string& mapping : experiment_.mappings) {
+            if (!names.insert(mapping).second) fail(fmt::format("the name '{}' is used twice", mapping));
+        }
+    }
+
+    void check_phases() const {
+        if (experiment_.phases.empty() || experiment_.phases.front().begin != 0) fail("the first phase must begin at iteration 0");
+        for (std::size_t i = 0; i < experiment_.phases.size(); ++i) {
+            const Phase& phase = experiment_.phases[i];
+            if (i > 0 && phase.begin <= experiment_.phases[i - 1].begin) fail(fmt::format("phase '{}' is empty", phase.name));
+            if (!(phase.time_step > 0.0) || !std::isfinite(phase.time_step)) {
+                fail(fmt::format("the time step must be positive; found {}", phase.time_step));
+            }
+            const std::size_t count = experiment_.chemicals.size();
+            if (phase.bounds.size() != count || phase.rates.size() != count) {
+                fail(fmt::format("phase '{}' needs bounds and rates for each of the {} chemicals", phase.name, count));
+            }
+            for (std::size_t chemical = 0; chemical < count; ++chemical) {
+                const Bounds& bounds = phase.bounds[chemical];
+                if (std::isnan(bounds.floor) || std::isnan(bounds.limit) || bounds.floor > bounds.limit) {
+                    fail(fmt::format("chemical '{}' has floor {} above its limit {}",
+                                     experiment_.chemicals[chemical].name, bounds.floor, bounds.limit));
+                }
+            }
+        }
+    }
+
+    void check_cells() const {
+        for (const Statement& statement : experiment_.prepattern) {
+            if (const auto* use = std::get_if<UseChemical>(&statement)) check_chemical(use->chemical, "a `use`");
+            if (const auto* grid = std::get_if<CreateGrid>(&statement)) check_size(grid->columns, std::max<std::size_t>(grid->rows, 1));
+            if (const auto* matrix = std::get_if<CreateMatrix>(&statement)) check_size(matrix->columns, matrix->rows);
+        }
+        const std::size_t cells = count_cells(experiment_);
+        if (cells == 0) fail("no cells are created; `create` some");
+        check_size(cells, 1);
+    }
+
+    void check_size(std::size_t columns, std::size_t rows) const {
+        if (columns > largest_cell_count || rows > largest_cell_count / std::max<std::size_t>(columns, 1)) {
+            fail(fmt::format("{} x {} cells are more than the {} that can be addressed", columns, rows, largest_cell_count));
+        }
+    }
+
+    void check_chemical(std::size_t chemical, const char* where) const {
+        if (chemical >= experiment_.chemicals.size()) {
+            fail(fmt::format("{} names chemical number {}; {} are defined", where, chemical, experiment_.chemicals.size()));
+        }
+    }
+
+    void check_operand(const Operand& operand) const {
+        switch (operand.quantity) {
+            case Quantity::number:
+                if (!std::isfinite(operand.value)) fail("a rule holds a number that is not finite");
+                break;
+            case Quantity::concentration:
+            case Quantity::rate: check_chemical(operand.index, "a rule"); break;
+            case Quantity::mapping:
+                if (operand.index >= experiment_.mappings.size()) fail("a rule reads a mapping that is not defined");
+                break;
+            case Quantity::row:
+            case Quantity::column:
+            case Quantity::rows:
+            case Quantity::columns:
+                if (!lattice_) fail("ROW, COLUMN, ROWS and COLUMNS need a lattice; these are free cells (use X and Y)");
+                break;
+            default: break;
+        }
+    }
+
+    void check_rule(const Rule& rule) {
+        line_ = rule.line;
+        if (rule.every == 0) fail("`every 0` never comes; the smallest period is 1");
+        std::visit([&](const auto& condition) { check_condition(condition); }, rule.condition);
+        std::visit([&](const auto& action) { check_action(rule, action); }, rule.action);
+        line_ = 0;
+    }
+
+    void check_condition(const Always&) const {}
+    void check_condition(const Compare& compare) const {
+        check_operand(compare.left);
+        check_operand(compare.right);
+    }
+    void check_condition(const Within& within) const {
+        check_operand(within.value);
+        check_operand(within.low);
+        check_operand(within.high);
+    }
+    void check_condition(const Probability& probability) const { check_operand(probability.chance); }
+
+    void check_action(const Rule&, const React& react) const {
+        check_chemical(react.u, "a reaction");
+        check_chemical(react.v, "a reaction");
+        if ((react.u == react.v) != (react.model == Model::reinforcement)) {
+            fail(react.u == react.v ? "a reaction needs two different chemicals" : "reinforcement takes one chemical");
+        }
+        check_operand(react.scale);
+        if (react.parameters.size() != parameter_count(react.model)) {
+            fail(fmt::format("{} takes {} parameters; found {}", model_name(react.model), parameter_count(react.model),
+                             react.parameters.size()));
+        }
+        for (const Operand& parameter : react.parameters) check_operand(parameter);
+    }
+    void check_action(const Rule&, const Change& change) const {
+        check_chemical(change.chemical, "a `change`");
+        check_operand(change.amount);
+    }
+    void check_action(const Rule&, const Set& set) const {
+        check_chemical(set.chemical, "a `set`");
+        check_operand(set.value);
+    }
+    void check_action(const Rule& rule, const Map& map) const {
+        if (!std::holds_alternative<Always>(rule.condition)) fail("a `map` rule takes the condition `always`");
+        if (map.mapping >= experiment_.mappings.size()) fail("a `map` rule writes a mapping that is not defined");
+        if (map.from_low == map.from_high) fail("a `map` rule needs two different source limits");
+        check_operand(map.value);
+    }
+    void check_action(const Rule&, const Polarize& polarize) const { check_chemical(polarize.chemical, "a `polarize`"); }
+    void check_action(const Rule&, const Divide& divide) const { check_operand(divide.direction); }
+    void check_action(const Rule&, const Move& move) const { check_operand(move.distance); }
+    void check_action(const Rule&, const And&) const {}
+    void check_action(const Rule& rule, const Expand& expand) const {
+        const bool matrix = std::any_of(experiment_.prepattern.begin(), experiment_.prepattern.end(), [](const auto& s) {
+            return std::holds_alternative<CreateMatrix>(s);
+        });
+        if (!matrix) fail("`expand` needs a matrix; `create matrix COLUMNS ROWS`");
+        if (!std::holds_alternative<Always>(rule.condition)) fail("an `expand` rule takes the condition `always`");
+        if (expand.columns + expand.rows == 0) fail("an `expand` rule inserts no columns and no rows");
+        if (expand.columns > 1000 || expand.rows > 1000) fail("an `expand` rule inserts at most 1000 columns and rows at a time");
+        if (!(expand.band_weight >= 0.0) || !std::isfinite(expand.band_weight)) fail("a weight must be 0 or more");
+        const bool whole = expand.band_low <= 0.0 && expand.band_high >= 1.0;
+        if (expand.band_weight == 0.0 && whole) fail("a weight of 0 for all rows or columns leaves none to pick");
+        if (expand.distribution == Distribution::shuffled && expand.band_weight != 1.0) {
+            fail("a shuffled distribution picks every place equally often and takes no weight");
+        }
+    }
+
+    const Experiment& experiment_;
+    bool lattice_;
+    std::size_t line_ = 0;
+};
+
+}  // namespace
+
+void validate(const Experiment& experiment) { Checker(experiment).check(); }
+
+}  // namespace pelage
