@@ -186,12 +186,12 @@ struct Expand {
 using Action = std::variant<React, Change, Set, Map, Polarize, Divide, Move, And, Expand>;
 
 struct Rule {
-    std::size_t line = 0;            // in the experiment file; 0 when built by hand
-    std::uint64_t from = 0;          // first iteration, absolute
-    std::uint64_t until = forever;   // last iteration, absolute, inclusive
-    std::uint64_t every = 1;         // acts where (iteration - origin - offset) is a multiple of `every`
-    std::uint64_t offset = 0;        // and iteration >= origin + offset
-    std::uint64_t origin = 0;        // start of the rule's phase
+    std::size_t line = 0;           // in the experiment file; 0 when built by hand
+    std::uint64_t from = 0;         // first iteration, absolute
+    std::uint64_t until = forever;  // last iteration, absolute, inclusive
+    std::uint64_t every = 1;        // acts where (iteration - origin - offset) is a multiple of `every`
+    std::uint64_t offset = 0;       // and iteration >= origin + offset
+    std::uint64_t origin = 0;       // start of the rule's phase
     Condition condition = Always{};
     Action action = And{};
 
@@ -258,7 +258,8 @@ struct SetCells {
     std::size_t last = 0;  // inclusive
     std::variant<SetConcentration, SetRate, SetPolarity, SetFixed> what;
 };
-using Statement = std::variant<UseChemical, UsePolarity, UseSeed, CreateCell, CreateGrid, CreateMatrix, CreateShape, SetCells>;
+using Statement =
+    std::variant<UseChemical, UsePolarity, UseSeed, CreateCell, CreateGrid, CreateMatrix, CreateShape, SetCells>;
 
 // ---- phases
 
@@ -326,7 +327,7 @@ struct Experiment {
     std::size_t chemical(const std::string& name) const;  // throws Error naming those defined
     const Phase& phase_at(std::uint64_t iteration) const;
     std::uint64_t last_iteration() const;  // where a whole run ends
-    std::int64_t run_seed() const;         // key of the draws made during the run: seed, else the last `use seed`, else 1
+    std::int64_t run_seed() const;  // key of the draws made during the run: seed, else the last `use seed`, else 1
 };
 
 // Throws Error when an experiment cannot mean anything: no cells, an index out of range, a duplicate name,

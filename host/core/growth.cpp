@@ -38,13 +38,15 @@ double weight(Distribution distribution, std::size_t place, std::size_t places) 
     const double p = static_cast<double>(place);
     const double n = static_cast<double>(places);
     switch (distribution) {
-        case Distribution::triangular: return std::min(p + 1.0, n - p);
+        case Distribution::triangular:
+            return std::min(p + 1.0, n - p);
         case Distribution::normal: {
             const double low = place == 0 ? 0.0 : normal_below((p - n / 2) / (n / 6));
             const double high = place + 1 == places ? 1.0 : normal_below((p + 1 - n / 2) / (n / 6));
             return high - low;
         }
-        default: return 1.0;
+        default:
+            return 1.0;
     }
 }
 

@@ -21,7 +21,8 @@ bool rules_change_rate(const Experiment& experiment, std::size_t chemical) {
 }
 
 RateKind rate_kind(const Experiment& experiment, const Snapshot& initial, std::size_t chemical) {
-    if (experiment.chemicals[chemical].anisotropic || rules_change_rate(experiment, chemical)) return RateKind::per_cell;
+    if (experiment.chemicals[chemical].anisotropic || rules_change_rate(experiment, chemical))
+        return RateKind::per_cell;
     const std::vector<double>& rates = initial.diff[chemical];
     const double first = rates.empty() ? 0.0 : rates.front();
     const bool same = std::all_of(rates.begin(), rates.end(), [&](double rate) { return rate == first; });

@@ -13,7 +13,8 @@ std::array<std::uint32_t, 4> philox4x32_10(std::array<std::uint32_t, 4> counter,
 namespace purpose {
 inline constexpr std::uint32_t condition = 0;  // Probability
 inline constexpr std::uint32_t deviation = 1;  // Change, Divide, Move
-inline constexpr std::uint32_t operand = 2;    // RANDOM; the n-th of one rule (from 0) uses word n % 4 of operand + 16 * (n / 4)
+inline constexpr std::uint32_t operand =
+    2;  // RANDOM; the n-th of one rule (from 0) uses word n % 4 of operand + 16 * (n / 4)
 inline constexpr std::uint32_t expansion = 3;
 }  // namespace purpose
 

@@ -58,7 +58,8 @@ void for_each_centre(const CreateGrid& grid, Each each) {
             const bool hex = grid.arrangement == Arrangement::hex_grid;
             for (std::int64_t row = 0; row < rows; ++row) {
                 const double place = static_cast<double>(row) - static_cast<double>(rows) / 2.0;
-                const float y = hex ? static_cast<float>(centre_y + place * 1.7321 + 0.866) : spaced(centre_y, row, rows);
+                const float y =
+                    hex ? static_cast<float>(centre_y + place * 1.7321 + 0.866) : spaced(centre_y, row, rows);
                 for (std::int64_t column = 0; column < n; ++column) {
                     const float x = spaced(centre_x, column, n);
                     each(hex && row % 2 != 0 ? x + 1.0f : x, y);
@@ -149,8 +150,10 @@ public:
                 const auto id = static_cast<std::uint32_t>(state_.cells());
                 create(static_cast<float>(static_cast<float>(shape.x) + across * 2), y, shape.fixed);
                 if (letter == 'o' || letter == 'O') continue;
-                if (std::isupper(letter) != 0) upper[letter - 'A'].push_back(id);
-                else lower[letter - 'a'].push_back(id);
+                if (std::isupper(letter) != 0)
+                    upper[letter - 'A'].push_back(id);
+                else
+                    lower[letter - 'a'].push_back(id);
             }
         }
         for (std::size_t letter = 0; letter < 26; ++letter) pair_mirrors(upper[letter], lower[letter]);
@@ -158,8 +161,8 @@ public:
 
     void operator()(const SetCells& set) {
         if (set.last < set.first || set.last >= state_.cells()) {
-            throw Error(fmt::format("{}: `set` names cells {} to {}; cells 0 to {} exist", experiment_.source, set.first,
-                                    set.last, static_cast<std::int64_t>(state_.cells()) - 1));
+            throw Error(fmt::format("{}: `set` names cells {} to {}; cells 0 to {} exist", experiment_.source,
+                                    set.first, set.last, static_cast<std::int64_t>(state_.cells()) - 1));
         }
         for (std::size_t cell = set.first; cell <= set.last; ++cell) {
             std::visit([&](const auto& what) { apply(what, cell); }, set.what);

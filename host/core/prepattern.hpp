@@ -13,9 +13,9 @@ namespace pelage {
 class PublishedRandom {
 public:
     explicit PublishedRandom(std::uint32_t seed = 1);
-    std::uint32_t next();                                // 0 .. 2^31 - 1
-    float range(float low, float high);                  // low + (high - low) * next / (2^31 - 1), in float
-    float deviate(float value, float deviation);         // no draw where deviation is 0
+    std::uint32_t next();                         // 0 .. 2^31 - 1
+    float range(float low, float high);           // low + (high - low) * next / (2^31 - 1), in float
+    float deviate(float value, float deviation);  // no draw where deviation is 0
 
 private:
     std::array<std::uint32_t, 31> words_{};

@@ -9,10 +9,14 @@ namespace pelage {
 
 double stiffness(Stencil stencil) {
     switch (stencil) {
-        case Stencil::moore: return 12.0;           // at wave vector (pi, 0): 8 - (2 - 2 - 4)
-        case Stencil::nine_point: return 16.0 / 3;  // at (pi, pi): (20 + 16 - 4) / 6
-        case Stencil::five_point: return 8.0;       // at (pi, pi)
-        case Stencil::sims: return 1.6;             // at (pi, pi): 1 + 0.8 - 0.2
+        case Stencil::moore:
+            return 12.0;  // at wave vector (pi, 0): 8 - (2 - 2 - 4)
+        case Stencil::nine_point:
+            return 16.0 / 3;  // at (pi, pi): (20 + 16 - 4) / 6
+        case Stencil::five_point:
+            return 8.0;  // at (pi, pi)
+        case Stencil::sims:
+            return 1.6;  // at (pi, pi): 1 + 0.8 - 0.2
     }
     return 0.0;
 }

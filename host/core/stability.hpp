@@ -10,9 +10,9 @@
 namespace pelage {
 
 struct Instability {
-    std::string phase;     // empty when the experiment has only one
+    std::string phase;  // empty when the experiment has only one
     std::string chemical;
-    double rate = 0.0;             // the largest of any cell
+    double rate = 0.0;  // the largest of any cell
     double time_step = 0.0;
     double largest_time_step = 0.0;  // that holds: 2 / (rate * largest eigenvalue of the stencil)
 };

@@ -15,7 +15,8 @@ namespace pelage {
 namespace {
 
 void check_length(const char* what, std::size_t found, std::size_t wanted) {
-    if (found != wanted) throw Error(fmt::format("the state's {} has {} entries; the experiment needs {}", what, found, wanted));
+    if (found != wanted)
+        throw Error(fmt::format("the state's {} has {} entries; the experiment needs {}", what, found, wanted));
 }
 
 void check_shape(const Experiment& experiment, const Snapshot& snapshot) {
@@ -99,7 +100,8 @@ void Tissue::expand(const Insertion& insertion) {
 void Tissue::insert(const Insertion& insertion) {
     const std::size_t added = insertion.picks.size();
     if (cells() + added > largest_cell_count) {
-        throw Error(fmt::format("growth past {} cells at iteration {}; no more can be addressed", largest_cell_count, iteration_));
+        throw Error(fmt::format("growth past {} cells at iteration {}; no more can be addressed", largest_cell_count,
+                                iteration_));
     }
     do_expand(insertion);
     (insertion.column ? columns_ : rows_) += 1;

@@ -60,7 +60,7 @@ private:
     virtual void do_advance(std::uint64_t first, std::uint64_t count) = 0;
     virtual void do_expand(const Insertion&) = 0;
     virtual void do_set_rate(std::size_t chemical, double rate) = 0;  // of every cell
-    virtual Snapshot do_read() const = 0;                            // iteration is filled in by read()
+    virtual Snapshot do_read() const = 0;                             // iteration is filled in by read()
     virtual void do_write(const Snapshot&) = 0;
     virtual std::optional<NonFinite> do_non_finite() const = 0;
 
@@ -77,9 +77,9 @@ private:
 class Backend {
 public:
     virtual ~Backend() = default;
-    virtual std::string name() const = 0;                         // "reference", "opencl: NAME OF DEVICE"
+    virtual std::string name() const = 0;  // "reference", "opencl: NAME OF DEVICE"
     virtual Precision precision() const = 0;
-    virtual std::string why_not(const Experiment&) const = 0;     // empty: supported
+    virtual std::string why_not(const Experiment&) const = 0;  // empty: supported
     virtual std::unique_ptr<Tissue> make_tissue(const Experiment&, const Snapshot& initial) = 0;
 
     std::unique_ptr<Tissue> make_tissue(const Experiment&);  // from the experiment's own prepattern

@@ -24,7 +24,8 @@ public:
         for (const Rule& rule : experiment_.rules) check_rule(rule);
         for (const Output& output : experiment_.outputs) check_chemical(output.chemical, "an output");
         if (experiment_.outputs.empty()) fail("an experiment needs at least one output");
-        if (experiment_.stop_at > largest_iteration) fail(fmt::format("a run cannot pass iteration {}", largest_iteration));
+        if (experiment_.stop_at > largest_iteration)
+            fail(fmt::format("a run cannot pass iteration {}", largest_iteration));
         if (!std::is_sorted(experiment_.snap_at.begin(), experiment_.snap_at.end())) fail("snapshots are not in order");
     }
 
@@ -50,10 +51,12 @@ private:
     }
 
     void check_phases() const {
-        if (experiment_.phases.empty() || experiment_.phases.front().begin != 0) fail("the first phase must begin at iteration 0");
+        if (experiment_.phases.empty() || experiment_.phases.front().begin != 0)
+            fail("the first phase must begin at iteration 0");
         for (std::size_t i = 0; i < experiment_.phases.size(); ++i) {
             const Phase& phase = experiment_.phases[i];
-            if (i > 0 && phase.begin <= experiment_.phases[i - 1].begin) fail(fmt::format("phase '{}' is empty", phase.name));
+            if (i > 0 && phase.begin <= experiment_.phases[i - 1].begin)
+                fail(fmt::format("phase '{}' is empty", phase.name));
             if (!(phase.time_step > 0.0) || !std::isfinite(phase.time_step)) {
                 fail(fmt::format("the time step must be positive; found {}", phase.time_step));
             }
@@ -74,7 +77,8 @@ private:
     void check_cells() const {
         for (const Statement& statement : experiment_.prepattern) {
             if (const auto* use = std::get_if<UseChemical>(&statement)) check_chemical(use->chemical, "a `use`");
-            if (const auto* grid = std::get_if<CreateGrid>(&statement)) check_size(grid->columns, std::max<std::size_t>(grid->rows, 1));
+            if (const auto* grid = std::get_if<CreateGrid>(&statement))
+                check_size(grid->columns, std::max<std::size_t>(grid->rows, 1));
             if (const auto* matrix = std::get_if<CreateMatrix>(&statement)) check_size(matrix->columns, matrix->rows);
         }
         const std::size_t cells = count_cells(experiment_);
@@ -84,13 +88,15 @@ private:
 
     void check_size(std::size_t columns, std::size_t rows) const {
         if (columns > largest_cell_count || rows > largest_cell_count / std::max<std::size_t>(columns, 1)) {
-            fail(fmt::format("{} x {} cells are more than the {} that can be addressed", columns, rows, largest_cell_count));
+            fail(fmt::format("{} x {} cells are more than the {} that can be addressed", columns, rows,
+                             largest_cell_count));
         }
     }
 
     void check_chemical(std::size_t chemical, const char* where) const {
         if (chemical >= experiment_.chemicals.size()) {
-            fail(fmt::format("{} names chemical number {}; {} are defined", where, chemical, experiment_.chemicals.size()));
+            fail(fmt::format("{} names chemical number {}; {} are defined", where, chemical,
+                             experiment_.chemicals.size()));
         }
     }
 
@@ -100,7 +106,9 @@ private:
                 if (!std::isfinite(operand.value)) fail("a rule holds a number that is not finite");
                 break;
             case Quantity::concentration:
-            case Quantity::rate: check_chemical(operand.index, "a rule"); break;
+            case Quantity::rate:
+                check_chemical(operand.index, "a rule");
+                break;
             case Quantity::mapping:
                 if (operand.index >= experiment_.mappings.size()) fail("a rule reads a mapping that is not defined");
                 break;
@@ -110,7 +118,8 @@ private:
             case Quantity::columns:
                 if (!lattice_) fail("ROW, COLUMN, ROWS and COLUMNS need a lattice; these are free cells (use X and Y)");
                 break;
-            default: break;
+            default:
+                break;
         }
     }
 
@@ -161,18 +170,20 @@ private:
         if (map.from_low == map.from_high) fail("a `map` rule needs two different source limits");
         check_operand(map.value);
     }
-    void check_action(const Rule&, const Polarize& polarize) const { check_chemical(polarize.chemical, "a `polarize`"); }
+    void check_action(const Rule&, const Polarize& polarize) const {
+        check_chemical(polarize.chemical, "a `polarize`");
+    }
     void check_action(const Rule&, const Divide& divide) const { check_operand(divide.direction); }
     void check_action(const Rule&, const Move& move) const { check_operand(move.distance); }
     void check_action(const Rule&, const And&) const {}
     void check_action(const Rule& rule, const Expand& expand) const {
-        const bool matrix = std::any_of(experiment_.prepattern.begin(), experiment_.prepattern.end(), [](const auto& s) {
-            return std::holds_alternative<CreateMatrix>(s);
-        });
+        const bool matrix = std::any_of(experiment_.prepattern.begin(), experiment_.prepattern.end(),
+                                        [](const auto& s) { return std::holds_alternative<CreateMatrix>(s); });
         if (!matrix) fail("`expand` needs a matrix; `create matrix COLUMNS ROWS`");
         if (!std::holds_alternative<Always>(rule.condition)) fail("an `expand` rule takes the condition `always`");
         if (expand.columns + expand.rows == 0) fail("an `expand` rule inserts no columns and no rows");
-        if (expand.columns > 1000 || expand.rows > 1000) fail("an `expand` rule inserts at most 1000 columns and rows at a time");
+        if (expand.columns > 1000 || expand.rows > 1000)
+            fail("an `expand` rule inserts at most 1000 columns and rows at a time");
         if (!(expand.band_weight >= 0.0) || !std::isfinite(expand.band_weight)) fail("a weight must be 0 or more");
         const bool whole = expand.band_low <= 0.0 && expand.band_high >= 1.0;
         if (expand.band_weight == 0.0 && whole) fail("a weight of 0 for all rows or columns leaves none to pick");

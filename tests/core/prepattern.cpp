@@ -35,9 +35,9 @@ TEST_CASE("a square grid is centred with spacing 2, bottom row first") {
 TEST_CASE("each cell draws conc then diff of each chemical in order") {
     PublishedRandom random(9);
 
-    const Snapshot state = initial_state(with({UseSeed{9}, UseChemical{1, Spread{4, 2}, Spread{1, 0.5}},
-                                               UseChemical{0, Spread{3, 1}, Spread{2, 0}},
-                                               grid(Arrangement::sqr_grid, 2, 1)}));
+    const Snapshot state =
+        initial_state(with({UseSeed{9}, UseChemical{1, Spread{4, 2}, Spread{1, 0.5}},
+                            UseChemical{0, Spread{3, 1}, Spread{2, 0}}, grid(Arrangement::sqr_grid, 2, 1)}));
 
     for (std::size_t cell = 0; cell < 2; ++cell) {
         CHECK(state.conc[0][cell] == random.deviate(3, 1));

@@ -17,10 +17,14 @@ double eigenvalue(Stencil stencil, double p, double q) {
     const double edges = 2 * std::cos(p) + 2 * std::cos(q);
     const double corners = 4 * std::cos(p) * std::cos(q);
     switch (stencil) {
-        case Stencil::moore: return 8 - edges - corners;
-        case Stencil::nine_point: return (20 - 4 * edges - corners) / 6;
-        case Stencil::five_point: return 4 - edges;
-        case Stencil::sims: return 1 - 0.2 * edges - 0.05 * corners;
+        case Stencil::moore:
+            return 8 - edges - corners;
+        case Stencil::nine_point:
+            return (20 - 4 * edges - corners) / 6;
+        case Stencil::five_point:
+            return 4 - edges;
+        case Stencil::sims:
+            return 1 - 0.2 * edges - 0.05 * corners;
     }
     return 0;
 }

@@ -5,8 +5,8 @@
 #include "core/prepattern.hpp"
 #include "core/support_experiments.hpp"
 
-#include <catch2/catch.hpp>
 #include <fmt/format.h>
+#include <catch2/catch.hpp>
 
 #include <string>
 #include <vector>
@@ -26,11 +26,15 @@ public:
 
 private:
     std::size_t do_cells() const override { return state_.cells(); }
-    void do_advance(std::uint64_t first, std::uint64_t count) override { log.push_back(fmt::format("advance {} {}", first, count)); }
+    void do_advance(std::uint64_t first, std::uint64_t count) override {
+        log.push_back(fmt::format("advance {} {}", first, count));
+    }
     void do_expand(const Insertion& insertion) override {
         log.push_back(fmt::format("{} at {}x{}", insertion.column ? "column" : "row", columns(), rows()));
     }
-    void do_set_rate(std::size_t chemical, double rate) override { log.push_back(fmt::format("rate {} {}", chemical, rate)); }
+    void do_set_rate(std::size_t chemical, double rate) override {
+        log.push_back(fmt::format("rate {} {}", chemical, rate));
+    }
     Snapshot do_read() const override { return state_; }
     void do_write(const Snapshot& snapshot) override { state_ = snapshot; }
     std::optional<NonFinite> do_non_finite() const override { return std::nullopt; }
@@ -57,7 +61,7 @@ Experiment growing() {
 
 TEST_CASE("advance cuts at expansions and phases, wherever it is split") {
     const Experiment experiment = growing();
-    const std::vector<std::string> wanted{"advance 0 1",   "row at 6x4", "column at 6x5", "advance 1 5", "row at 7x5",
+    const std::vector<std::string> wanted{"advance 0 1",   "row at 6x4",  "column at 6x5", "advance 1 5", "row at 7x5",
                                           "column at 7x6", "advance 6 1", "rate 0 2.5",    "advance 7 3"};
 
     Recorder whole(experiment, initial_state(experiment));
