@@ -1,0 +1,230 @@
+// What a rule does: react, change, set, map, polarize, divide, move, expand, and
+#include "language/parse.hpp"
+#include "language/statements.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+
+namespace pelage::language {
+
+namespace {
+
+// ---- reactions
+
+constexpr std::array models{Model::turing, Model::gray_scott, Model::linear,
+                            Model::gm1,    Model::cubic,      Model::reinforcement};
+
+std::vector<std::string_view> model_words() {
+    std::vector<std::string_view> words;
+    for (const Model model : models) words.push_back(model_name(model));
+    return words;
+}
+
+[[noreturn]] void unknown_partner(const Script& script, const Cursor& cursor) {
+    std::vector<std::string_view> words = model_words();
+    words.push_back("scale");
+    const Token& token = cursor.peek();
+    for (const std::string_view name : script.chemical_names()) words.push_back(name);
+    if (cursor.done()) cursor.unknown(token, words);
+    cursor.fail(token, fmt::format("unknown chemical {}; {}{}", Cursor::shown(token), script.chemicals_defined(),
+                                   token.quoted ? "" : suggestion(token.text, words)));
+}
+
+Action parse_react(Script& script, Cursor& cursor) {
+    const std::vector<std::string_view> words = model_words();
+    React react;
+    const Token& first = cursor.peek();
+    react.u = react.v = script.chemical(cursor);
+    const Token& second = cursor.peek();
+    const bool pair = !second.quoted && script.find_chemical(second.text).has_value();
+    if (pair)
+        react.v = script.chemical(cursor);
+    else if (!cursor.done() && second.text != "scale" &&
+             std::find(words.begin(), words.end(), second.text) == words.end())
+        unknown_partner(script, cursor);
+    if (cursor.take("scale")) react.scale = parse_operand(script, cursor, "the scale");
+    const Token& word = cursor.peek();
+    react.model = models[cursor.choose(words)];
+    const bool alone = react.model == Model::reinforcement;
+    if (alone && pair) cursor.fail(second, "'reinforcement' takes one chemical; write 'react NAME reinforcement'");
+    if (!alone && !pair)
+        cursor.fail(word, fmt::format("'{}' takes two chemicals; write 'react NAME NAME {}'", word.text, word.text));
+    if (!alone && react.u == react.v)
+        cursor.fail(second, fmt::format("'{}' reacts with itself; give two different chemicals", first.text));
+    for (const std::string& name : parameter_names(react.model)) {
+        cursor.expect(name);
+        react.parameters.push_back(parse_operand(script, cursor, name));
+    }
+    return react;
+}
+
+// ---- changes
+
+struct Goal {
+    std::size_t chemical = 0;
+    Target target = Target::concentration;
+};
+
+Goal parse_goal(const Script& script, Cursor& cursor) {
+    static constexpr std::array<std::string_view, 2> words{"conc", "diff"};
+    const std::size_t chemical = script.chemical(cursor);
+    return {chemical, cursor.choose(words) == 0 ? Target::concentration : Target::rate};
+}
+
+Action parse_change(Script& script, Cursor& cursor) {
+    const Goal goal = parse_goal(script, cursor);
+    const Operand amount = parse_operand(script, cursor, "the amount");
+    return Change{goal.target, goal.chemical, amount, parse_deviation(cursor)};
+}
+
+Action parse_replace(Script& script, Cursor& cursor) {
+    const Goal goal = parse_goal(script, cursor);
+    return Set{goal.target, goal.chemical, parse_operand(script, cursor, "the value")};
+}
+
+std::size_t parse_mapping(Script& script, Cursor& cursor) {
+    const Token& name = cursor.value("the mapping's name");
+    if (const auto known = script.find_mapping(name.text)) return *known;
+    check_name(cursor, name, "mapping");
+    if (script.find_chemical(name.text))
+        cursor.fail(name, fmt::format("'{}' is a chemical; choose another name", name.text));
+    auto& mappings = script.experiment.mappings;
+    if (mappings.size() == largest_mapping_count) {
+        cursor.fail(name, fmt::format("one mapping too many; at most {} are allowed", largest_mapping_count));
+    }
+    mappings.emplace_back(name.text);
+    return mappings.size() - 1;
+}
+
+Action parse_map(Script& script, Cursor& cursor) {
+    Map map;
+    map.value = parse_operand(script, cursor, "the mapped value");
+    map.from_low = cursor.number("the interval's low end");
+    const Token& high = cursor.peek();
+    map.from_high = cursor.number("the interval's high end");
+    if (map.from_low == map.from_high) cursor.fail(high, "the interval is empty; 'map' needs two different ends");
+    cursor.expect("to");
+    map.mapping = parse_mapping(script, cursor);
+    map.to_low = cursor.number("the mapping's low value");
+    map.to_high = cursor.number("the mapping's high value");
+    return map;
+}
+
+// ---- cells that move
+
+Action parse_polarize(Script& script, Cursor& cursor) {
+    const Polarize polarize{script.chemical(cursor)};
+    cursor.expect("conc");
+    return polarize;
+}
+
+Action parse_divide(Script& script, Cursor& cursor) {
+    Divide divide;
+    if (cursor.done()) return divide;
+    cursor.expect("direction");
+    divide.direction = parse_operand(script, cursor, "the direction");
+    divide.deviation = parse_deviation(cursor);
+    return divide;
+}
+
+Action parse_move(Script& script, Cursor& cursor) {
+    const Operand distance = parse_operand(script, cursor, "the distance");
+    return Move{distance, parse_deviation(cursor)};
+}
+
+// ---- growth of a matrix
+
+void parse_weight(Cursor& cursor, Expand& expand) {
+    static constexpr std::array<std::string_view, 2> words{"rows", "columns"};
+    expand.band_weight = cursor.number("the weight", positive);
+    expand.band_rows = cursor.choose(words) == 0;
+    expand.band_low = cursor.number("the band's low end", fraction);
+    cursor.expect("to");
+    const Token& high = cursor.peek();
+    expand.band_high = cursor.number("the band's high end", fraction);
+    if (expand.band_high < expand.band_low) cursor.fail(high, "the band's high end is below its low end");
+}
+
+Action parse_expand(Cursor& cursor, const Token& at) {
+    static constexpr std::array<std::string_view, 5> words{"columns", "rows", "first", "distribution", "weight"};
+    static constexpr std::array<std::string_view, 2> order{"columns", "rows"};
+    static constexpr std::array<std::string_view, 4> names{"uniform", "shuffled", "normal", "triangular"};
+    static constexpr std::array distributions{Distribution::uniform, Distribution::shuffled, Distribution::normal,
+                                              Distribution::triangular};
+    constexpr std::uint64_t most = 1000;  // at a time, as validate() has it
+    Expand expand;
+    Options options(words);
+    const Token* weight = nullptr;
+    while (true) {
+        const Token& token = cursor.peek();
+        const auto option = options.next(cursor);
+        if (!option) break;
+        switch (*option) {
+            case 0:
+                expand.columns = cursor.integer("the number of columns", 0, most);
+                break;
+            case 1:
+                expand.rows = cursor.integer("the number of rows", 0, most);
+                break;
+            case 2:
+                expand.rows_first = cursor.choose(order) == 1;
+                break;
+            case 3:
+                expand.distribution = distributions[cursor.choose(names)];
+                break;
+            default:
+                weight = &token;
+                parse_weight(cursor, expand);
+        }
+    }
+    if (expand.columns + expand.rows == 0)
+        cursor.fail(at, "'expand' inserts nothing; give 'columns INT' or 'rows INT'");
+    if (weight != nullptr && expand.distribution == Distribution::shuffled) {
+        cursor.fail(*weight, "'shuffled' picks every place equally often; 'weight' needs another distribution");
+    }
+    const bool weighs_nothing = expand.band_rows ? expand.rows == 0 : expand.columns == 0;
+    if (weight != nullptr && weighs_nothing) {
+        cursor.fail(*weight, fmt::format("'weight ... {0}' weighs the insertion of {0}; give '{0} INT'",
+                                         expand.band_rows ? "rows" : "columns"));
+    }
+    return expand;
+}
+
+}  // namespace
+
+Action parse_action(Script& script, Cursor& cursor, const Condition& condition) {
+    static constexpr std::array<std::string_view, 9> words{"react",  "change", "set",    "map", "polarize",
+                                                           "divide", "move",   "expand", "and"};
+    const Token& word = cursor.peek();
+    const std::size_t action = cursor.choose(words);
+    const bool map_or_expand = action == 3 || action == 7;
+    if (map_or_expand && !std::holds_alternative<Always>(condition)) {
+        cursor.fail(word, fmt::format("'{}' takes the condition 'always' and no other", word.text));
+    }
+    if (action == 5 || action == 6) script.refuses_matrix(cursor, word);
+    if (action == 7) script.expands(cursor, word);
+    switch (action) {
+        case 0:
+            return parse_react(script, cursor);
+        case 1:
+            return parse_change(script, cursor);
+        case 2:
+            return parse_replace(script, cursor);
+        case 3:
+            return parse_map(script, cursor);
+        case 4:
+            return parse_polarize(script, cursor);
+        case 5:
+            return parse_divide(script, cursor);
+        case 6:
+            return parse_move(script, cursor);
+        case 7:
+            return parse_expand(cursor, word);
+        default:
+            return And{};
+    }
+}
+
+}  // namespace pelage::language

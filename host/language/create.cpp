@@ -1,0 +1,155 @@
+// create cell | sqr_grid | sqr_circle | hex_grid | hex_circle | shape | matrix
+#include "core/prepattern.hpp"
+#include "language/shape.hpp"
+#include "language/statements.hpp"
+
+#include <fmt/format.h>
+
+#include <array>
+#include <numbers>
+
+namespace pelage::language {
+
+namespace {
+
+struct Placement {
+    double x = 0.0, y = 0.0;
+    double deviation = 0.0;
+    bool fixed = false;
+    bool wrap = false;
+};
+
+Placement parse_placement(Cursor& cursor, Words words) {
+    Placement placement;
+    Options options(words);
+    while (const auto option = options.next(cursor)) {
+        const std::string_view word = words[*option];
+        if (word == "at") {
+            placement.x = cursor.number("the centre's x");
+            placement.y = cursor.number("the centre's y");
+        } else if (word == "dev") {
+            placement.deviation = cursor.number("the deviation", not_negative);
+        } else if (word == "fixed") {
+            placement.fixed = true;
+        } else {
+            placement.wrap = true;
+        }
+    }
+    return placement;
+}
+
+std::size_t parse_size(Cursor& cursor, std::string_view what) { return cursor.integer(what, 1, largest_cell_count); }
+
+// Refuses what cannot be allowed before anything is counted.
+void check_product(const Cursor& cursor, const Token& at, double cells) {
+    if (cells <= static_cast<double>(largest_cell_count)) return;
+    cursor.fail(
+        at, fmt::format("'{}' makes about {:.3g} cells; at most {} are allowed", at.text, cells, largest_cell_count));
+}
+
+std::size_t count(const CreateGrid& grid) {
+    Experiment alone;
+    alone.prepattern.emplace_back(grid);
+    return count_cells(alone);
+}
+
+void create_cell(Script& script, Cursor& cursor, const Token& at) {
+    CreateCell cell;
+    cell.x = cursor.number("the cell's x");
+    cell.y = cursor.number("the cell's y");
+    cell.fixed = cursor.take("fixed");
+    script.create(cursor, at, cell, 1);
+}
+
+void create_grid(Script& script, Cursor& cursor, const Token& at, Arrangement arrangement) {
+    static constexpr std::array<std::string_view, 4> words{"at", "dev", "fixed", "wrap"};
+    const bool square = arrangement == Arrangement::sqr_grid;
+    const std::size_t columns = parse_size(cursor, "the number of columns");
+    const std::size_t rows = parse_size(cursor, "the number of rows");
+    check_product(cursor, at, static_cast<double>(columns) * static_cast<double>(rows));
+    const Placement place = parse_placement(cursor, Words(words).first(square ? 4 : 3));
+    const CreateGrid grid{arrangement, columns, rows, place.x, place.y, place.deviation, place.fixed, place.wrap};
+    script.create(cursor, at, grid, columns * rows);
+}
+
+void create_circle(Script& script, Cursor& cursor, const Token& at, Arrangement arrangement) {
+    static constexpr std::array<std::string_view, 3> words{"at", "dev", "fixed"};
+    const bool square = arrangement == Arrangement::sqr_circle;
+    const std::size_t size = parse_size(cursor, square ? "the diameter" : "the radius");
+    const double area =
+        static_cast<double>(size) * static_cast<double>(size) * std::numbers::pi / (square ? 4.0 : 3.4642);
+    check_product(cursor, at, area);
+    const Placement place = parse_placement(cursor, words);
+    const CreateGrid grid{arrangement, size, 0, place.x, place.y, place.deviation, place.fixed, false};
+    script.create(cursor, at, grid, count(grid));
+}
+
+void create_shape(Script& script, Cursor& cursor, const Token& at) {
+    static constexpr std::array<std::string_view, 2> words{"at", "fixed"};
+    const Token& file = cursor.text("the shape file's name");
+    const Placement place = parse_placement(cursor, words);
+    CreateShape shape;
+    try {
+        shape.lines = read_shape(script.resolve(file.text));
+    } catch (const Error& error) {
+        cursor.fail(file, error.what());
+    }
+    shape.x = place.x;
+    shape.y = place.y;
+    shape.fixed = place.fixed;
+    const std::size_t cells = count_letters(shape.lines);
+    script.create(cursor, at, shape, cells);
+}
+
+void create_matrix(Script& script, Cursor& cursor, const Token& at) {
+    static constexpr std::array<std::string_view, 4> words{"no-flux", "wrap", "absorbing", "at"};
+    static constexpr std::array boundaries{Boundary::no_flux, Boundary::wrap, Boundary::absorbing};
+    CreateMatrix matrix;
+    matrix.columns = parse_size(cursor, "the number of columns");
+    matrix.rows = parse_size(cursor, "the number of rows");
+    check_product(cursor, at, static_cast<double>(matrix.columns) * static_cast<double>(matrix.rows));
+    Options options(words);
+    bool bounded = false;
+    while (true) {
+        const Token& token = cursor.peek();
+        const auto option = options.next(cursor);
+        if (!option) break;
+        if (*option == 3) {
+            matrix.x = cursor.number("the centre's x");
+            matrix.y = cursor.number("the centre's y");
+            continue;
+        }
+        if (bounded) cursor.fail(token, fmt::format("'{}' is a second boundary; a matrix has one", token.text));
+        bounded = true;
+        matrix.boundary = boundaries[*option];
+    }
+    script.create(cursor, at, matrix, matrix.columns * matrix.rows);
+}
+
+}  // namespace
+
+void parse_create(Script& script, Cursor& cursor) {
+    static constexpr std::array<std::string_view, 7> words{"sqr_grid", "sqr_circle", "hex_grid", "hex_circle",
+                                                           "cell",     "shape",      "matrix"};
+    const Token& at = cursor.peek();
+    const std::size_t kind = cursor.choose(words);
+    script.outside_phases(cursor, at, "create");
+    switch (kind) {
+        case 0:
+            return create_grid(script, cursor, at, Arrangement::sqr_grid);
+        case 1:
+            return create_circle(script, cursor, at, Arrangement::sqr_circle);
+        case 2:
+            return create_grid(script, cursor, at, Arrangement::hex_grid);
+        case 3:
+            return create_circle(script, cursor, at, Arrangement::hex_circle);
+        case 4:
+            return create_cell(script, cursor, at);
+        case 5:
+            return create_shape(script, cursor, at);
+        default:
+            return create_matrix(script, cursor, at);
+    }
+}
+
+}  // namespace pelage::language

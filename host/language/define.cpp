@@ -1,0 +1,159 @@
+// define chemical | division_limit | domain | time_step | stencil
+#include "io/field.hpp"
+#include "language/statements.hpp"
+
+#include <fmt/format.h>
+
+#include <array>
+#include <cmath>
+
+namespace pelage::language {
+
+namespace {
+
+constexpr double infinity = std::numeric_limits<double>::infinity();
+
+struct PictureOptions {
+    const Token* file = nullptr;
+    std::string channel;
+    double low = 0.0;
+    double high = 1.0;
+};
+
+double parse_bound(Cursor& cursor, std::string_view what, double none) {
+    if (cursor.take("none")) return none;
+    return cursor.number(what);
+}
+
+// Adds what the options say; `initial` is empty where a picture is not allowed.
+void parse_options(Cursor& cursor, Bounds& bounds, Chemical* initial, PictureOptions* picture) {
+    static constexpr std::array<std::string_view, 6> words{"limit", "floor", "conc", "channel", "from", "anisotropic"};
+    Options options(initial == nullptr ? Words(words).first(2) : Words(words));
+    while (true) {
+        const Token& token = cursor.peek();
+        const auto option = options.next(cursor);
+        if (!option) break;
+        switch (*option) {
+            case 0:
+                bounds.limit = parse_bound(cursor, "the limit", infinity);
+                break;
+            case 1:
+                bounds.floor = parse_bound(cursor, "the floor", -infinity);
+                break;
+            case 2:
+                picture->file = &cursor.text("the picture's name");
+                break;
+            case 3:
+                picture->channel = std::string(cursor.peek().quoted ? cursor.text("the channel").text
+                                                                    : cursor.value("the channel").text);
+                break;
+            case 4:
+                picture->low = cursor.number("the lowest value");
+                cursor.expect("to");
+                picture->high = cursor.number("the highest value");
+                break;
+            default:
+                initial->anisotropic = true;
+        }
+        if ((*option == 3 || *option == 4) && !options.given(2)) {
+            cursor.fail(token,
+                        fmt::format("'{}' belongs to a picture; write 'conc \"PICTURE\"' before it", token.text));
+        }
+    }
+}
+
+void check_bounds(const Cursor& cursor, const Token& name, const Bounds& bounds) {
+    if (bounds.floor <= bounds.limit) return;
+    cursor.fail(name, fmt::format("the floor {} of '{}' is above its limit {}", bounds.floor, name.text, bounds.limit));
+}
+
+std::shared_ptr<const Field> load(const Script& script, const Cursor& cursor, const PictureOptions& picture) {
+    try {
+        const auto field = read_field(script.resolve(picture.file->text), picture.channel);
+        if (picture.low == 0.0 && picture.high == 1.0) return field;
+        auto scaled = std::make_shared<Field>(*field);
+        for (double& value : scaled->values) value = picture.low + value * (picture.high - picture.low);
+        return scaled;
+    } catch (const Error& error) {
+        cursor.fail(*picture.file, error.what());
+    }
+}
+
+// Inside a phase: new bounds for a chemical that exists.
+void parse_phase_bounds(Script& script, Cursor& cursor) {
+    const Token& name = cursor.peek();
+    Bounds& bounds = script.phase().bounds[script.chemical(cursor)];
+    parse_options(cursor, bounds, nullptr, nullptr);
+    check_bounds(cursor, name, bounds);
+}
+
+void parse_chemical(Script& script, Cursor& cursor) {
+    if (script.in_phase()) return parse_phase_bounds(script, cursor);
+    const Token& name = cursor.value("the chemical's name");
+    check_name(cursor, name, "chemical");
+    if (script.find_chemical(name.text)) cursor.fail(name, fmt::format("chemical '{}' is defined already", name.text));
+    if (script.find_mapping(name.text))
+        cursor.fail(name, fmt::format("'{}' is a mapping; choose another name", name.text));
+    auto& chemicals = script.experiment.chemicals;
+    if (chemicals.size() == largest_chemical_count) {
+        cursor.fail(name, fmt::format("one chemical too many; at most {} are allowed", largest_chemical_count));
+    }
+    Chemical chemical;
+    chemical.name = std::string(name.text);
+    PictureOptions picture;
+    parse_options(cursor, chemical.bounds, &chemical, &picture);
+    check_bounds(cursor, name, chemical.bounds);
+    if (picture.file != nullptr) {
+        chemical.initial = load(script, cursor, picture);
+        script.shows_picture(cursor, *picture.file);
+    }
+    script.phase().bounds.push_back(chemical.bounds);
+    chemicals.push_back(std::move(chemical));
+}
+
+void parse_domain(Script& script, Cursor& cursor) {
+    Domain& domain = script.experiment.domain;
+    domain = Domain{};
+    if (cursor.take("packed")) {
+        domain.packed = true;
+        if (cursor.done()) return;
+        cursor.expect("area");
+        domain.area = cursor.number("the area of a cell", positive);
+        return;
+    }
+    domain.width = cursor.number("the domain's width (or the word 'packed')", positive);
+    domain.height = cursor.number("the domain's height", positive);
+}
+
+void parse_stencil(Script& script, Cursor& cursor, const Token& word) {
+    static constexpr std::array<std::string_view, 4> words{"moore", "nine-point", "five-point", "sims"};
+    static constexpr std::array stencils{Stencil::moore, Stencil::nine_point, Stencil::five_point, Stencil::sims};
+    script.experiment.stencil = stencils[cursor.choose(words)];
+    script.needs_matrix(cursor, word);
+}
+
+}  // namespace
+
+void parse_define(Script& script, Cursor& cursor) {
+    static constexpr std::array<std::string_view, 5> words{"chemical", "time_step", "division_limit", "domain",
+                                                           "stencil"};
+    const Token& word = cursor.peek();
+    const std::size_t what = cursor.choose(words);
+    if (what > 1) script.outside_phases(cursor, word, fmt::format("define {}", word.text));
+    switch (what) {
+        case 0:
+            return parse_chemical(script, cursor);
+        case 1:
+            script.phase().time_step = cursor.number("the time step", positive);
+            return;
+        case 2:
+            script.experiment.division_limit = cursor.integer("the division limit", 0, largest_cell_count);
+            return;
+        case 3:
+            return parse_domain(script, cursor);
+        default:
+            return parse_stencil(script, cursor, word);
+    }
+}
+
+}  // namespace pelage::language

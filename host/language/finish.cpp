@@ -1,0 +1,132 @@
+// The end of the file: defaults, and the checks that only the whole experiment allows.
+#include "core/prepattern.hpp"
+#include "language/script.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+namespace pelage::language {
+
+namespace {
+
+// Iterations before `stop` at which the rule acts.
+std::uint64_t occasions(const Rule& rule, std::uint64_t stop) {
+    if (stop == 0) return 0;
+    const std::uint64_t last = std::min(rule.until, stop - 1);
+    const std::uint64_t start = rule.origin + rule.offset;
+    std::uint64_t first = std::max(rule.from, start);
+    const std::uint64_t past = (first - start) % rule.every;
+    if (past != 0) first += rule.every - past;
+    return first > last ? 0 : (last - first) / rule.every + 1;
+}
+
+struct Size {
+    std::uint64_t columns = 0;
+    std::uint64_t rows = 0;
+};
+
+// 0 x 0 for free cells.
+Size lattice_size(const Experiment& experiment) {
+    Size size;
+    if (!is_lattice(experiment)) return size;
+    for (const Statement& statement : experiment.prepattern) {
+        if (const auto* matrix = std::get_if<CreateMatrix>(&statement)) size = {matrix->columns, matrix->rows};
+        if (const auto* grid = std::get_if<CreateGrid>(&statement)) size = {grid->columns, grid->rows};
+    }
+    return size;
+}
+
+}  // namespace
+
+Experiment Script::finish() {
+    if (!in_phase()) {
+        before_.rates.assign(experiment.chemicals.size(), std::nullopt);
+        experiment.phases.push_back(before_);
+        phase_end_ = 10000;
+    }
+    experiment.stop_at = stop.value_or(phase_end_);
+    auto& snaps = experiment.snap_at;
+    std::sort(snaps.begin(), snaps.end());
+    snaps.erase(std::unique(snaps.begin(), snaps.end()), snaps.end());
+    check_contents();
+    check_arrangement();
+    check_pictures();
+    check_growth();
+    finish_outputs();
+    validate(experiment);
+    return std::move(experiment);
+}
+
+void Script::check_contents() const {
+    const Place end{std::max<std::size_t>(line_, 1), 1};
+    if (experiment.chemicals.empty()) {
+        throw error_at(experiment.source, end, "the file ends without a chemical; write 'define chemical NAME'");
+    }
+    if (cells_ == 0) throw error_at(experiment.source, end, "the file ends without cells; write 'create ...'");
+}
+
+void Script::check_arrangement() const {
+    const auto refuse = [&](const Demand& demand, std::string_view text) {
+        throw error_at(experiment.source, demand.place, fmt::format("'{}' {}", demand.statement, text));
+    };
+    if (needs_matrix_ && !matrix_) refuse(*needs_matrix_, "needs a matrix; write 'create matrix COLUMNS ROWS'");
+    if (refuses_matrix_ && matrix_)
+        refuse(*refuses_matrix_, "needs free cells; the elements of a matrix stay in place");
+    if (needs_lattice_ && !is_lattice(experiment)) {
+        refuse(*needs_lattice_,
+               "needs a lattice: a matrix, or a single sqr_grid without 'divide' and 'move'; free cells have X and Y");
+    }
+}
+
+void Script::check_pictures() const {
+    if (pictures_.empty()) return;
+    const auto [columns, rows] = lattice_size(experiment);
+    for (const Picture& picture : pictures_) {
+        const Field& field = *experiment.chemicals[picture.chemical].initial;
+        if (field.columns == columns && field.rows == rows) continue;
+        const std::string lattice =
+            columns == 0 ? "only lattices start from pictures" : fmt::format("the lattice is {} x {}", columns, rows);
+        throw error_at(experiment.source, picture.place,
+                       fmt::format("the picture is {} x {}; {}", field.columns, field.rows, lattice));
+    }
+}
+
+void Script::check_growth() const {
+    if (expansions_.empty()) return;
+    auto [columns, rows] = lattice_size(experiment);
+    auto place = expansions_.begin();
+    for (const Rule& rule : experiment.rules) {
+        const auto* expand = std::get_if<Expand>(&rule.action);
+        if (expand == nullptr) continue;
+        const std::uint64_t times = occasions(rule, experiment.last_iteration());
+        columns += times * expand->columns;
+        rows += times * expand->rows;
+        if (columns > largest_cell_count || rows > largest_cell_count / columns) {
+            throw error_at(experiment.source, *place,
+                           fmt::format("the matrix grows to {} x {} elements; at most {} cells are allowed", columns,
+                                       rows, largest_cell_count));
+        }
+        ++place;
+    }
+}
+
+Colormap Script::colormap(const ColormapChoice& choice) const {
+    Colormap map{choice.name, choice.stops};
+    if (choice.name != "striped" && choice.name != "gradient") return map;
+    for (std::size_t slot = 0; slot < slots.size(); ++slot) {
+        if (slots[slot]) map.stops.push_back({static_cast<double>(slot) / 99.0, *slots[slot]});
+    }
+    if (map.stops.empty()) map.stops = {{0.0, {0, 0, 0}}, {1.0, {255, 255, 255}}};
+    return map;
+}
+
+void Script::finish_outputs() {
+    for (PendingOutput& pending : outputs) {
+        pending.output.colormap = colormap(pending.colormap.value_or(selected));
+        experiment.outputs.push_back(pending.output);
+    }
+    if (experiment.outputs.empty()) experiment.outputs.push_back({0, colormap(selected), std::nullopt});
+}
+
+}  // namespace pelage::language

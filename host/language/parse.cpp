@@ -1,0 +1,78 @@
+// See parse.hpp: the loop over lines.
+#include "language/parse.hpp"
+
+#include "language/statements.hpp"
+
+#include <fmt/format.h>
+
+#include <array>
+#include <fstream>
+
+namespace pelage {
+
+namespace {
+
+using namespace language;
+
+constexpr std::array<std::string_view, 12> statement_words{"define", "use",  "create",   "set",    "rule",    "phase",
+                                                           "snap",   "stop", "colormap", "output", "texture", "zoom"};
+constexpr std::array statement_parsers{parse_define,   parse_use,    parse_create,  parse_set,
+                                       parse_rule,     parse_phase,  parse_snap,    parse_stop,
+                                       parse_colormap, parse_output, parse_texture, parse_zoom};
+static_assert(statement_words.size() == statement_parsers.size());
+
+void parse_line(Script& script, std::size_t number, std::string_view line) {
+    script.at_line(number);
+    if (line.size() > largest_line) {
+        throw error_at(script.experiment.source, {number, 1},
+                       fmt::format("the line has {} bytes; at most {} are allowed", line.size(), largest_line));
+    }
+    Cursor cursor(script.experiment.source, number, line);
+    if (cursor.done()) return;
+    statement_parsers[cursor.choose(statement_words)](script, cursor);
+    cursor.finish();
+}
+
+void check_size(const std::string& source, std::size_t size) {
+    if (size > largest_text) throw Error(fmt::format("{}: is longer than the {} bytes allowed", source, largest_text));
+}
+
+std::string read_text(const std::filesystem::path& path) {
+    std::error_code error;
+    if (std::filesystem::is_directory(path, error)) {
+        throw Error(fmt::format("{}: is a folder; an experiment is a text file", path.string()));
+    }
+    std::ifstream file(path, std::ios::binary);
+    if (!file) throw Error(fmt::format("{}: cannot be opened; give the name of an experiment file", path.string()));
+    std::string text;
+    std::array<char, 1 << 16> part{};
+    while (text.size() <= largest_text && (file.read(part.data(), part.size()), file.gcount() > 0)) {
+        text.append(part.data(), static_cast<std::size_t>(file.gcount()));
+    }
+    if (file.bad()) throw Error(fmt::format("{}: cannot be read", path.string()));
+    return text;
+}
+
+}  // namespace
+
+Experiment parse_experiment(const std::string& text, const std::string& source_name,
+                            const std::filesystem::path& folder) {
+    check_size(source_name, text.size());
+    Script script(text, source_name, folder);
+    std::string_view rest = text;
+    if (rest.starts_with("\xef\xbb\xbf")) rest.remove_prefix(3);  // byte order mark of UTF-8
+    for (std::size_t number = 1; !rest.empty(); ++number) {
+        const std::size_t end = rest.find('\n');
+        std::string_view line = rest.substr(0, end);
+        if (line.ends_with('\r')) line.remove_suffix(1);
+        parse_line(script, number, line);
+        rest.remove_prefix(end == std::string_view::npos ? rest.size() : end + 1);
+    }
+    return script.finish();
+}
+
+Experiment parse_experiment_file(const std::filesystem::path& path) {
+    return parse_experiment(read_text(path), path.string(), path.parent_path());
+}
+
+}  // namespace pelage

@@ -1,0 +1,116 @@
+// See script.hpp.
+#include "language/script.hpp"
+
+#include "language/parse.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+namespace pelage::language {
+
+namespace {
+
+template <class Named>
+std::optional<std::size_t> find(const std::vector<Named>& all, std::string_view name) {
+    const auto has_name = [&](const Named& one) {
+        if constexpr (std::is_same_v<Named, Chemical>)
+            return one.name == name;
+        else
+            return one == name;
+    };
+    const auto found = std::find_if(all.begin(), all.end(), has_name);
+    if (found == all.end()) return std::nullopt;
+    return static_cast<std::size_t>(found - all.begin());
+}
+
+}  // namespace
+
+Script::Script(const std::string& text, const std::string& source, std::filesystem::path folder)
+    : folder_(std::move(folder)) {
+    experiment.text = text;
+    experiment.source = source;
+}
+
+std::optional<std::size_t> Script::find_chemical(std::string_view name) const {
+    return find(experiment.chemicals, name);
+}
+
+std::optional<std::size_t> Script::find_mapping(std::string_view name) const { return find(experiment.mappings, name); }
+
+std::vector<std::string_view> Script::chemical_names() const {
+    std::vector<std::string_view> names;
+    for (const Chemical& one : experiment.chemicals) names.push_back(one.name);
+    return names;
+}
+
+std::string Script::chemicals_defined() const { return "defined here: " + listed(chemical_names()); }
+
+std::size_t Script::chemical(Cursor& cursor) const {
+    const Token& token = cursor.peek();
+    if (cursor.done())
+        cursor.fail(token, fmt::format("the line ends too early; a chemical is needed, {}", chemicals_defined()));
+    if (const auto index = token.quoted ? std::nullopt : find_chemical(token.text)) {
+        cursor.next();
+        return *index;
+    }
+    cursor.fail(token, fmt::format("unknown chemical {}; {}{}", Cursor::shown(token), chemicals_defined(),
+                                   suggestion(token.text, chemical_names())));
+}
+
+std::filesystem::path Script::resolve(std::string_view file_name) const {
+    return folder_ / std::filesystem::path(file_name);  // an absolute name stays itself
+}
+
+void Script::create(const Cursor& cursor, const Token& at, const Statement& statement, std::size_t cells) {
+    const bool matrix = std::holds_alternative<CreateMatrix>(statement);
+    if (cells_ > 0 && (matrix || matrix_)) {
+        cursor.fail(at, "a matrix holds all cells; give one 'create matrix' and no other 'create'");
+    }
+    if (cells > largest_cell_count - cells_) {
+        cursor.fail(at, fmt::format("'{}' makes {} cells; at most {} are allowed", at.text, cells_ + cells,
+                                    largest_cell_count));
+    }
+    matrix_ = matrix_ || matrix;
+    cells_ += cells;
+    experiment.prepattern.push_back(statement);
+}
+
+void Script::begin_phase(std::string name, std::uint64_t steps) {
+    Phase next = phase();
+    next.name = std::move(name);
+    next.begin = in_phase() ? phase_end_ : 0;
+    next.rates.assign(experiment.chemicals.size(), std::nullopt);
+    phase_end_ = next.begin + steps;
+    experiment.phases.push_back(std::move(next));
+}
+
+void Script::outside_phases(const Cursor& cursor, const Token& at, std::string_view statement) const {
+    if (!in_phase()) return;
+    cursor.fail(at, fmt::format("'{}' holds for the whole run; write it before the first 'phase'", statement));
+}
+
+namespace {
+
+void note_first(std::optional<Demand>& demand, const Cursor& cursor, const Token& at) {
+    if (!demand) demand = Demand{cursor.place(at), std::string(at.text)};
+}
+
+}  // namespace
+
+void Script::needs_matrix(const Cursor& cursor, const Token& at) { note_first(needs_matrix_, cursor, at); }
+
+void Script::needs_lattice(const Cursor& cursor, const Token& at) { note_first(needs_lattice_, cursor, at); }
+
+void Script::expands(const Cursor& cursor, const Token& at) {
+    needs_matrix(cursor, at);
+    expansions_.push_back(cursor.place(at));
+}
+
+void Script::shows_picture(const Cursor& cursor, const Token& file) {
+    pictures_.push_back({experiment.chemicals.size(), cursor.place(file)});
+}
+
+void Script::refuses_matrix(const Cursor& cursor, const Token& at) { note_first(refuses_matrix_, cursor, at); }
+
+}  // namespace pelage::language

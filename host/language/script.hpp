@@ -1,0 +1,108 @@
+// What the statements of an experiment share while it is being read.
+#pragma once
+
+#include "core/experiment.hpp"
+#include "language/cursor.hpp"
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace pelage::language {
+
+using Colour = std::array<std::uint8_t, 3>;
+
+// A colour map as written; slots are filled in at the end of the file.
+struct ColormapChoice {
+    std::string name = "heat";
+    std::vector<ColourStop> stops;  // of "stops" alone
+};
+
+struct PendingOutput {
+    Output output;
+    std::optional<ColormapChoice> colormap;  // empty: the selected one
+};
+
+struct Demand {  // what a statement needs that only the whole file can show
+    Place place;
+    std::string statement;
+};
+
+struct Picture {  // the initial state of a chemical
+    std::size_t chemical = 0;
+    Place place;
+};
+
+class Script {
+public:
+    Script(const std::string& text, const std::string& source, std::filesystem::path folder);
+
+    Experiment experiment;
+
+    // ---- names
+    std::size_t chemical(Cursor&) const;  // throws Error for one that is not defined
+    std::optional<std::size_t> find_chemical(std::string_view) const;
+    std::optional<std::size_t> find_mapping(std::string_view) const;
+    std::string chemicals_defined() const;  // "defined here: U, V"
+    std::vector<std::string_view> chemical_names() const;
+
+    std::filesystem::path resolve(std::string_view file_name) const;
+
+    // ---- cells
+    std::size_t cells() const { return cells_; }
+    // Takes note of a `create`; `at` is its kind. Throws Error for too many cells or a mixture with a matrix.
+    void create(const Cursor&, const Token& at, const Statement&, std::size_t cells);
+
+    // ---- phases
+    bool in_phase() const { return !experiment.phases.empty(); }
+    Phase& phase() { return in_phase() ? experiment.phases.back() : before_; }  // being described
+    std::uint64_t phase_begin() const { return in_phase() ? experiment.phases.back().begin : 0; }
+    std::uint64_t phase_end() const { return phase_end_; }  // first iteration after it; forever before the first phase
+    void begin_phase(std::string name, std::uint64_t steps);
+    // Throws Error inside a phase: `statement` describes the whole run.
+    void outside_phases(const Cursor&, const Token& at, std::string_view statement) const;
+
+    // ---- pictures
+    ColormapChoice selected;
+    std::array<std::optional<Colour>, 100> slots;
+    std::vector<PendingOutput> outputs;
+    std::optional<std::uint64_t> stop;
+
+    // ---- what can only be checked at the end of the file
+    void needs_matrix(const Cursor&, const Token& at);
+    void refuses_matrix(const Cursor&, const Token& at);
+    void needs_lattice(const Cursor&, const Token& at);
+    void expands(const Cursor&, const Token& at);          // once for each `expand`, in order
+    void shows_picture(const Cursor&, const Token& file);  // of the chemical defined next
+    void at_line(std::size_t line) { line_ = line; }
+
+    // Defaults, what only the whole file can show, and validate().
+    Experiment finish();
+
+private:
+    Colormap colormap(const ColormapChoice&) const;
+    void check_contents() const;
+    void check_arrangement() const;
+    void check_pictures() const;
+    void check_growth() const;
+    void finish_outputs();
+
+    std::filesystem::path folder_;
+    std::size_t cells_ = 0;
+    Phase before_;
+    std::uint64_t phase_end_ = forever;
+    bool matrix_ = false;
+    std::optional<Demand> needs_matrix_;
+    std::optional<Demand> refuses_matrix_;
+    std::optional<Demand> needs_lattice_;
+    std::vector<Place> expansions_;
+    std::vector<Picture> pictures_;
+    std::size_t line_ = 0;  // the last one
+};
+
+}  // namespace pelage::language

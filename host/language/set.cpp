@@ -1,0 +1,66 @@
+// set cell ID ... | set cells ID to ID ...
+#include "language/statements.hpp"
+
+#include <fmt/format.h>
+
+#include <array>
+
+namespace pelage::language {
+
+namespace {
+
+std::size_t parse_cell(const Script& script, Cursor& cursor, std::string_view what) {
+    if (script.cells() == 0) cursor.fail(cursor.peek(), "no cells are created before this line");
+    return cursor.integer(what, 0, script.cells() - 1);
+}
+
+// NAME conc VALUE [dev VALUE] [diff VALUE [dev VALUE]], one or both
+void set_chemical(Script& script, Cursor& cursor, SetCells cells) {
+    static constexpr std::array<std::string_view, 2> words{"conc", "diff"};
+    const std::size_t chemical = script.chemical(cursor);
+    Options options(words);
+    auto& statements = script.experiment.prepattern;
+    while (const auto option = options.next_if(cursor)) {
+        if (*option == 0)
+            cells.what = SetConcentration{chemical, parse_spread(cursor, "the concentration")};
+        else
+            cells.what = SetRate{chemical, parse_spread(cursor, "the diffusion rate")};
+        statements.emplace_back(cells);
+    }
+    if (!options.given(0) && !options.given(1)) cursor.unknown(cursor.peek(), words);
+}
+
+}  // namespace
+
+void parse_set(Script& script, Cursor& cursor) {
+    static constexpr std::array<std::string_view, 2> ranges{"cell", "cells"};
+    static constexpr std::array<std::string_view, 3> words{"chemical", "polarity", "fixed"};
+    const Token& range = cursor.peek();
+    const bool several = cursor.choose(ranges) == 1;
+    script.outside_phases(cursor, range, fmt::format("set {}", range.text));
+    SetCells cells;
+    cells.first = parse_cell(script, cursor, several ? "the first cell" : "the cell");
+    cells.last = cells.first;
+    if (several) {
+        cursor.expect("to");
+        const Token& last = cursor.peek();
+        cells.last = parse_cell(script, cursor, "the last cell");
+        if (cells.last < cells.first)
+            cursor.fail(last, fmt::format("the last cell {} comes before the first, {}", cells.last, cells.first));
+    }
+    if (cursor.done()) cursor.unknown(cursor.peek(), words);
+    Options options(words);
+    while (const auto option = options.next(cursor)) {
+        if (*option == 0) {
+            set_chemical(script, cursor, cells);
+            continue;
+        }
+        if (*option == 1)
+            cells.what = SetPolarity{parse_degrees(cursor)};
+        else
+            cells.what = SetFixed{};
+        script.experiment.prepattern.emplace_back(cells);
+    }
+}
+
+}  // namespace pelage::language

@@ -1,0 +1,44 @@
+// The statements of the language: each reads the rest of its line into the script.
+#pragma once
+
+#include "language/cursor.hpp"
+#include "language/script.hpp"
+
+#include <optional>
+#include <string_view>
+
+namespace pelage::language {
+
+void parse_define(Script&, Cursor&);    // define.cpp
+void parse_use(Script&, Cursor&);       // use.cpp
+void parse_create(Script&, Cursor&);    // create.cpp
+void parse_set(Script&, Cursor&);       // set.cpp
+void parse_rule(Script&, Cursor&);      // rule.cpp
+void parse_phase(Script&, Cursor&);     // run.cpp
+void parse_snap(Script&, Cursor&);      // run.cpp
+void parse_stop(Script&, Cursor&);      // run.cpp
+void parse_colormap(Script&, Cursor&);  // output.cpp
+void parse_output(Script&, Cursor&);    // output.cpp
+void parse_texture(Script&, Cursor&);   // output.cpp
+void parse_zoom(Script&, Cursor&);      // output.cpp
+
+// ---- pieces that several statements share
+
+Action parse_action(Script&, Cursor&, const Condition&);         // action.cpp
+Operand parse_operand(Script&, Cursor&, std::string_view what);  // operand.cpp
+
+// VALUE [dev DEVIATION]
+Spread parse_spread(Cursor&, std::string_view what);  // use.cpp
+std::optional<Spread> parse_degrees(Cursor&);         // none | VALUE [dev DEVIATION]; use.cpp
+double parse_deviation(Cursor&);                      // [dev DEVIATION], else 0; use.cpp
+
+// Throws Error unless `name` can name a chemical or mapping; `what` is one of these words.
+void check_name(const Cursor&, const Token& name, std::string_view what);  // operand.cpp
+
+// The CSS name (any case) or RRGGBB of a colour; empty when it is none.
+std::optional<Colour> find_colour(std::string_view);  // colours.cpp
+Colour parse_colour(const Cursor&, const Token&);     // colours.cpp
+// heat | gradient | ... | "STOP at F, STOP at F" ...
+ColormapChoice parse_colormap_choice(Cursor&, bool stops);  // output.cpp
+
+}  // namespace pelage::language
