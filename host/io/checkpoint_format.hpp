@@ -1,0 +1,51 @@
+// How a checkpoint lies on the disk; see checkpoint.hpp. All numbers are little-endian.
+//   8 bytes   magic
+//   uint32    format version
+//   uint64    size of the whole file in bytes
+//   payload   experiment, source, folder, backend, device, version (texts: uint64 length, bytes); precision (uint8: 4
+//   or 8),
+//             seed (int64); iteration, columns, rows (uint64), origin_x, origin_y (double); conc, diff, mappings
+//             (uint64 number, then arrays); x, y, polarity_x, polarity_y, birth, neighbours, fixed, mirrors (arrays; a
+//             mirror is two uint32). An array: uint64 count, uint8 1 when all elements have the same bits and only one
+//             follows, else 0.
+//   uint64    Checksum of the payload
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <string_view>
+
+namespace pelage::checkpoint_format {
+
+inline constexpr std::string_view magic = "PELAGE\r\n";  // spoilt by transfers that mend line ends
+inline constexpr std::uint32_t version = 1;
+inline constexpr std::size_t size_place = 12;
+inline constexpr std::size_t payload_place = 20;
+inline constexpr std::size_t checksum_size = 8;
+
+// Visits all parts of a checkpoint in the order of the file: with a writer and a constant one, or a reader.
+template <class Visitor, class Checkpoint>
+void visit(Visitor& part, Checkpoint& checkpoint) {
+    auto& info = checkpoint.info;
+    for (auto* text : {&info.experiment, &info.source, &info.folder, &info.backend, &info.device, &info.version})
+        part.text(*text);
+    part.precision(info.precision);
+    part.number(info.seed);
+
+    auto& state = checkpoint.snapshot;
+    part.number(state.iteration);
+    part.number(state.columns);
+    part.number(state.rows);
+    part.number(state.origin_x);
+    part.number(state.origin_y);
+    part.arrays(state.conc);
+    part.arrays(state.diff);
+    part.arrays(state.mappings);
+    for (auto* array : {&state.x, &state.y, &state.polarity_x, &state.polarity_y}) part.array(*array);
+    part.array(state.birth);
+    part.array(state.neighbours);
+    part.array(state.fixed);
+    part.pairs(state.mirrors);
+}
+
+}  // namespace pelage::checkpoint_format

@@ -1,0 +1,131 @@
+// See checkpoint.hpp and checkpoint_format.hpp.
+#include "core/error.hpp"
+#include "core/experiment.hpp"
+#include "io/checkpoint.hpp"
+#include "io/checkpoint_format.hpp"
+#include "io/checksum.hpp"
+#include "io/file_bytes.hpp"
+
+#include <fmt/format.h>
+#include <cstring>
+#include <utility>
+#include <vector>
+
+namespace pelage {
+namespace {
+
+namespace format = checkpoint_format;
+
+class Reader {
+public:
+    Reader(std::string_view payload, const std::string& name) : rest_(payload), name_(name) {}
+
+    template <class T>
+    void number(T& value) {
+        value = load<T>(bytes(1, sizeof(T)));
+    }
+    void text(std::string& value) {
+        const auto length = count();
+        value.assign(bytes(length, 1), length);
+    }
+    void precision(Precision& value) {
+        std::uint8_t size = 0;
+        number(size);
+        if (size != 4 && size != 8) fail();
+        value = size == 8 ? Precision::double_ : Precision::single_;
+    }
+
+    template <class T>
+    void array(std::vector<T>& values) {
+        const auto length = count();
+        std::uint8_t repeated = 0;
+        number(repeated);
+        if (length > largest_cell_count || repeated > 1) fail();
+        if (repeated != 0) {
+            values.assign(length, load<T>(bytes(1, sizeof(T))));
+            return;
+        }
+        const char* const from = bytes(length, sizeof(T));
+        values.resize(length);
+        if (length != 0) std::memcpy(values.data(), from, length * sizeof(T));
+    }
+    void arrays(std::vector<std::vector<double>>& values) {
+        const auto number_of_arrays = count();
+        if (number_of_arrays > rest_.size()) fail();
+        values.resize(number_of_arrays);
+        for (auto& one : values) array(one);
+    }
+    void pairs(std::vector<std::pair<std::uint32_t, std::uint32_t>>& values) {
+        std::vector<std::uint32_t> flat;
+        array(flat);
+        if (flat.size() % 2 != 0) fail();
+        values.clear();
+        for (std::size_t i = 0; i < flat.size(); i += 2) values.emplace_back(flat[i], flat[i + 1]);
+    }
+    void finish() const {
+        if (!rest_.empty()) fail();
+    }
+
+private:
+    std::uint64_t count() {
+        std::uint64_t value = 0;
+        number(value);
+        return value;
+    }
+    const char* bytes(std::uint64_t length, std::size_t size) {
+        if (length > rest_.size() / size) fail();
+        const char* const from = rest_.data();
+        rest_.remove_prefix(length * size);
+        return from;
+    }
+    [[noreturn]] void fail() const {
+        throw Error(fmt::format("'{}' is a corrupted checkpoint: its parts do not fit together", name_));
+    }
+
+    std::string_view rest_;
+    const std::string& name_;
+};
+
+// The payload of a file that is a whole checkpoint of ours.
+std::string_view checked_payload(std::string_view bytes, const std::string& name) {
+    if (bytes.empty() || bytes.substr(0, format::magic.size()) != format::magic.substr(0, bytes.size())) {
+        throw Error(fmt::format("'{}' is not a checkpoint", name));
+    }
+    if (bytes.size() < format::payload_place + format::checksum_size) {
+        throw Error(fmt::format("'{}' is a truncated checkpoint: it has only {} bytes", name, bytes.size()));
+    }
+    const auto version = load<std::uint32_t>(bytes.data() + format::magic.size());
+    if (version != format::version) {
+        throw Error(fmt::format("'{}' is a checkpoint of format {}; this program knows format {}", name, version,
+                                format::version));
+    }
+    const auto size = load<std::uint64_t>(bytes.data() + format::size_place);
+    if (size != bytes.size()) {
+        throw Error(fmt::format("'{}' is a {} checkpoint: it has {} bytes and should have {}", name,
+                                bytes.size() < size ? "truncated" : "corrupted", bytes.size(), size));
+    }
+    const auto payload =
+        bytes.substr(format::payload_place, bytes.size() - format::payload_place - format::checksum_size);
+    Checksum sum;
+    sum.add(payload.data(), payload.size());
+    if (sum.value() != load<std::uint64_t>(payload.data() + payload.size())) {
+        throw Error(fmt::format("'{}' is a corrupted checkpoint: its checksum is wrong", name));
+    }
+    return payload;
+}
+
+}  // namespace
+
+Checkpoint parse_checkpoint(std::string_view bytes, const std::string& name) {
+    Reader reader(checked_payload(bytes, name), name);
+    Checkpoint checkpoint;
+    format::visit(reader, checkpoint);
+    reader.finish();
+    return checkpoint;
+}
+
+Checkpoint read_checkpoint(const std::filesystem::path& path) {
+    return parse_checkpoint(read_file(path), path.string());
+}
+
+}  // namespace pelage

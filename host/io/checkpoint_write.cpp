@@ -1,0 +1,89 @@
+// See checkpoint.hpp and checkpoint_format.hpp.
+#include "io/atomic_file.hpp"
+#include "io/checkpoint.hpp"
+#include "io/checkpoint_format.hpp"
+#include "io/checksum.hpp"
+
+#include <cstring>
+#include <utility>
+#include <vector>
+
+namespace pelage {
+namespace {
+
+template <class T>
+bool same_bits(const std::vector<T>& values) {
+    return values.size() > 1 && std::memcmp(values.data(), values.data() + 1, (values.size() - 1) * sizeof(T)) == 0;
+}
+
+class Writer {
+public:
+    explicit Writer(AtomicFile& file) : file_(file) {}
+
+    template <class T>
+    void number(const T& value) {
+        bytes(&value, sizeof value);
+    }
+    void text(const std::string& value) {
+        number(std::uint64_t{value.size()});
+        bytes(value.data(), value.size());
+    }
+    void precision(Precision value) { number(static_cast<std::uint8_t>(value == Precision::double_ ? 8 : 4)); }
+
+    template <class T>
+    void array(const std::vector<T>& values) {
+        const bool repeated = same_bits(values);
+        number(std::uint64_t{values.size()});
+        number(static_cast<std::uint8_t>(repeated));
+        bytes(values.data(), (repeated ? 1 : values.size()) * sizeof(T));
+    }
+    void arrays(const std::vector<std::vector<double>>& values) {
+        number(std::uint64_t{values.size()});
+        for (const auto& one : values) array(one);
+    }
+    void pairs(const std::vector<std::pair<std::uint32_t, std::uint32_t>>& values) {
+        std::vector<std::uint32_t> flat;
+        for (const auto& [first, second] : values) flat.insert(flat.end(), {first, second});
+        array(flat);
+    }
+
+    std::uint64_t checksum() const { return sum_.value(); }
+
+private:
+    void bytes(const void* from, std::size_t count) {
+        file_.write(from, count);
+        sum_.add(from, count);
+    }
+
+    AtomicFile& file_;
+    Checksum sum_;
+};
+
+struct View {
+    const Snapshot& snapshot;
+    const CheckpointInfo& info;
+};
+
+}  // namespace
+
+void write_checkpoint(const std::filesystem::path& path, const Snapshot& snapshot, const CheckpointInfo& info) {
+    namespace format = checkpoint_format;
+    static_assert(sizeof(std::size_t) == 8);
+    AtomicFile file(path);
+    file.write(format::magic);
+    file.write(&format::version, sizeof format::version);
+    std::uint64_t size = 0;
+    file.write(&size, sizeof size);
+    Writer writer(file);
+    const View view{snapshot, info};
+    format::visit(writer, view);
+    const auto checksum = writer.checksum();
+    file.write(&checksum, sizeof checksum);
+    size = file.position();
+    file.seek(format::size_place);
+    file.write(&size, sizeof size);
+    file.sync();
+    file.commit();
+}
+
+}  // namespace pelage

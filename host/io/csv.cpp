@@ -1,0 +1,71 @@
+// See csv.hpp.
+#include "io/csv.hpp"
+
+#include "io/atomic_file.hpp"
+#include "io/shape.hpp"
+
+#include <fmt/compile.h>
+#include <fmt/format.h>
+#include <cmath>
+#include <iterator>
+#include <string>
+#include <string_view>
+
+namespace pelage {
+namespace {
+
+constexpr std::size_t bytes_at_once = 1 << 20;
+
+// In quotes where it holds a comma, a quote or the end of a line (RFC 4180).
+std::string quoted(const std::string& text) {
+    if (text.find_first_of(",\"\r\n") == text.npos) return text;
+    std::string result = "\"";
+    for (const char c : text) result += c == '"' ? std::string("\"\"") : std::string(1, c);
+    return result + '"';
+}
+
+std::string head(const Experiment& experiment) {
+    std::string line = "id,x,y,birth,neighbours,polarity_x,polarity_y";
+    for (const auto& chemical : experiment.chemicals) line += fmt::format(",{}", quoted("conc " + chemical.name));
+    for (const auto& chemical : experiment.chemicals) line += fmt::format(",{}", quoted("diff " + chemical.name));
+    return line + "\n";
+}
+
+void append(fmt::memory_buffer& to, double value) {
+    to.push_back(',');
+    if (value == 0.0) {  // most of the polarities and many rates
+        to.append(std::string_view(std::signbit(value) ? "-0" : "0"));
+        return;
+    }
+    fmt::format_to(std::back_inserter(to), FMT_COMPILE("{:.9g}"), value);
+}
+
+void append_cell(fmt::memory_buffer& to, const Snapshot& cells, std::size_t i) {
+    fmt::format_to(std::back_inserter(to), FMT_COMPILE("{}"), i);
+    append(to, cells.x[i]);
+    append(to, cells.y[i]);
+    fmt::format_to(std::back_inserter(to), FMT_COMPILE(",{},{}"), cells.birth[i], cells.neighbours[i]);
+    append(to, cells.polarity_x[i]);
+    append(to, cells.polarity_y[i]);
+    for (const auto& values : cells.conc) append(to, values[i]);
+    for (const auto& values : cells.diff) append(to, values[i]);
+    to.push_back('\n');
+}
+
+}  // namespace
+
+void write_csv(const std::filesystem::path& path, const Snapshot& snapshot, const Experiment& experiment) {
+    check_shape(snapshot, experiment);
+    AtomicFile file(path);
+    file.write(head(experiment));
+    fmt::memory_buffer buffer;
+    for (std::size_t i = 0; i < snapshot.cells(); ++i) {
+        append_cell(buffer, snapshot, i);
+        if (buffer.size() < bytes_at_once && i + 1 < snapshot.cells()) continue;
+        file.write(buffer.data(), buffer.size());
+        buffer.clear();
+    }
+    file.commit();
+}
+
+}  // namespace pelage

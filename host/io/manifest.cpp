@@ -1,0 +1,55 @@
+// See manifest.hpp.
+#include "io/manifest.hpp"
+
+#include "io/atomic_file.hpp"
+
+#include <fmt/chrono.h>
+#include <fmt/format.h>
+#include <ctime>
+#include <nlohmann/json.hpp>
+
+namespace pelage {
+namespace {
+
+std::string iso_time(std::chrono::system_clock::time_point time) {
+    return fmt::format("{:%Y-%m-%dT%H:%M:%SZ}", fmt::gmtime(std::chrono::system_clock::to_time_t(time)));
+}
+
+nlohmann::ordered_json to_json(const Manifest& manifest, const Experiment& experiment) {
+    nlohmann::ordered_json json{{"backend", manifest.backend},
+                                {"device", manifest.device},
+                                {"driver", manifest.driver},
+                                {"platform", manifest.platform},
+                                {"precision", manifest.precision == Precision::double_ ? "double" : "float"},
+                                {"seed", manifest.seed},
+                                {"iterations", manifest.iterations},
+                                {"cells", manifest.cells},
+                                {"columns", manifest.columns},
+                                {"rows", manifest.rows},
+                                {"seconds", manifest.seconds},
+                                {"updates_per_second", manifest.updates_per_second},
+                                {"started", iso_time(manifest.started)},
+                                {"version", manifest.version},
+                                {"build_options", manifest.build_options},
+                                {"fast", manifest.fast},
+                                {"files", manifest.files}};
+    for (const auto& [key, text] : manifest.more_texts) json[key] = text;
+    for (const auto& [key, number] : manifest.more_numbers) json[key] = number;
+    auto& phases = json["phases"] = nlohmann::ordered_json::array();
+    for (const auto& phase : experiment.phases) phases.push_back(phase.name);
+    json["experiment"] = {{"source", experiment.source}, {"text", experiment.text}};
+    return json;
+}
+
+}  // namespace
+
+std::string manifest_text(const Manifest& manifest, const Experiment& experiment) {
+    // Text that is not UTF-8 gets replacement characters.
+    return to_json(manifest, experiment).dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace) + "\n";
+}
+
+void write_manifest(const std::filesystem::path& path, const Manifest& manifest, const Experiment& experiment) {
+    write_file(path, manifest_text(manifest, experiment));
+}
+
+}  // namespace pelage

@@ -1,0 +1,237 @@
+// See npy.hpp. Format: numpy.lib.format, versions 1.0 to 3.0.
+#include "io/npy.hpp"
+
+#include "core/error.hpp"
+#include "io/atomic_file.hpp"
+#include "io/file_bytes.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+#include <algorithm>
+#include <array>
+#include <cctype>
+#include <charconv>
+#include <cstdint>
+#include <limits>
+#include <map>
+#include <string>
+
+namespace pelage {
+namespace {
+
+constexpr std::string_view magic{"\x93NUMPY", 6};
+
+struct Header {
+    std::string descr;
+    bool fortran_order = false;
+    std::vector<std::size_t> shape;
+};
+
+// Reads the Python dictionary of the header: {'descr': '<f4', 'fortran_order': False, 'shape': (3, 4), }
+class HeaderReader {
+public:
+    HeaderReader(std::string_view text, std::string_view name) : text_(text), name_(name) {}
+
+    Header read() {
+        Header header;
+        unsigned seen = 0;
+        expect('{');
+        while (!accept('}')) {
+            const auto key = string();
+            expect(':');
+            seen |= entry(key, header);
+            if (!accept(',') && peek() != '}') fail("a ',' is missing in its header");
+        }
+        if (seen != 7) fail("its header must hold 'descr', 'fortran_order' and 'shape'");
+        return header;
+    }
+
+private:
+    unsigned entry(const std::string& key, Header& header) {
+        if (key == "descr") {
+            if (peek() == '[') fail("structured types cannot be read; allowed are plain numbers");
+            header.descr = string();
+            return 1;
+        }
+        if (key == "fortran_order") {
+            header.fortran_order = truth();
+            return 2;
+        }
+        if (key != "shape") fail(fmt::format("unknown entry '{}' in its header", key));
+        header.shape = tuple();
+        return 4;
+    }
+
+    std::string string() {
+        const char quote = peek();
+        if (quote != '\'' && quote != '"') fail("a name in quotes is missing in its header");
+        const auto end = text_.find(quote, at_ + 1);
+        if (end == text_.npos) fail("a quote is not closed in its header");
+        const std::string value(text_.substr(at_ + 1, end - at_ - 1));
+        at_ = end + 1;
+        return value;
+    }
+
+    bool truth() {
+        peek();
+        for (const bool value : {true, false}) {
+            const std::string_view word = value ? "True" : "False";
+            if (text_.substr(at_, word.size()) != word) continue;
+            at_ += word.size();
+            return value;
+        }
+        fail("'fortran_order' must be True or False");
+    }
+
+    std::vector<std::size_t> tuple() {
+        std::vector<std::size_t> values;
+        expect('(');
+        while (!accept(')')) {
+            peek();
+            std::size_t value = 0;
+            const auto [end, error] = std::from_chars(text_.data() + at_, text_.data() + text_.size(), value);
+            if (error != std::errc()) fail("its shape must be a tuple of whole numbers");
+            at_ = static_cast<std::size_t>(end - text_.data());
+            values.push_back(value);
+            if (!accept(',') && peek() != ')') fail("its shape must be a tuple of whole numbers");
+        }
+        return values;
+    }
+
+    char peek() {
+        while (at_ < text_.size() && std::isspace(static_cast<unsigned char>(text_[at_])) != 0) ++at_;
+        return at_ < text_.size() ? text_[at_] : '\0';
+    }
+    bool accept(char wanted) {
+        if (peek() != wanted) return false;
+        ++at_;
+        return true;
+    }
+    void expect(char wanted) {
+        if (!accept(wanted)) fail(fmt::format("a '{}' is missing in its header", wanted));
+    }
+    [[noreturn]] void fail(const std::string& what) const {
+        throw Error(fmt::format("'{}' cannot be read as an .npy array: {}", name_, what));
+    }
+
+    std::string_view text_;
+    std::string_view name_;
+    std::size_t at_ = 0;
+};
+
+struct Type {
+    std::size_t size;
+    double (*load)(const char*);
+};
+
+template <class T>
+Type type_of() {
+    return {sizeof(T), [](const char* from) { return static_cast<double>(load<T>(from)); }};
+}
+
+Type find_type(const std::string& descr, std::string_view name) {
+    static const std::map<std::string, Type, std::less<>> types{
+        {"<f4", type_of<float>()},        {"<f8", type_of<double>()},        {"<i2", type_of<std::int16_t>()},
+        {"<i4", type_of<std::int32_t>()}, {"<i8", type_of<std::int64_t>()},  {"|i1", type_of<std::int8_t>()},
+        {"|u1", type_of<std::uint8_t>()}, {"<u2", type_of<std::uint16_t>()}, {"<u4", type_of<std::uint32_t>()},
+        {"|b1", type_of<std::uint8_t>()}};
+    const auto found = types.find(descr);
+    if (found == types.end()) {
+        throw Error(fmt::format(
+            "'{}' holds numbers of type '{}'; allowed are little-endian f4 f8 i1 i2 i4 i8 u1 u2 u4 b1", name, descr));
+    }
+    return found->second;
+}
+
+// Where the header's text lies in the file.
+std::string_view header_text(std::string_view bytes, std::string_view name) {
+    if (bytes.substr(0, magic.size()) != magic) throw Error(fmt::format("'{}' is not an .npy file", name));
+    const auto truncated = [&] { return Error(fmt::format("'{}' is truncated: its .npy header is not whole", name)); };
+    if (bytes.size() < 10) throw truncated();
+    const int version = bytes[6];
+    if (version < 1 || version > 3) {
+        throw Error(fmt::format("'{}' has .npy format version {}; allowed are 1 to 3", name, version));
+    }
+    const std::size_t start = version == 1 ? 10 : 12;
+    if (bytes.size() < start) throw truncated();
+    const std::size_t length =
+        version == 1 ? load<std::uint16_t>(bytes.data() + 8) : load<std::uint32_t>(bytes.data() + 8);
+    if (bytes.size() - start < length) throw truncated();
+    return bytes.substr(start, length);
+}
+
+std::size_t count_values(const std::vector<std::size_t>& shape, std::string_view name) {
+    std::size_t count = 1;
+    for (const auto length : shape) {
+        if (length != 0 && count > std::numeric_limits<std::size_t>::max() / 16 / length) {
+            throw Error(fmt::format("'{}' has the absurd shape ({})", name, fmt::join(shape, ", ")));
+        }
+        count *= length;
+    }
+    return count;
+}
+
+std::vector<double> transposed(const std::vector<double>& values, std::size_t rows, std::size_t columns) {
+    std::vector<double> result(values.size());
+    for (std::size_t row = 0; row < rows; ++row) {
+        for (std::size_t column = 0; column < columns; ++column) {
+            result[row * columns + column] = values[column * rows + row];
+        }
+    }
+    return result;
+}
+
+}  // namespace
+
+NpyArray parse_npy(std::string_view bytes, std::string_view name) {
+    const auto text = header_text(bytes, name);
+    const auto header = HeaderReader(text, name).read();
+    const auto type = find_type(header.descr, name);
+    const auto count = count_values(header.shape, name);
+    const auto data = bytes.substr(static_cast<std::size_t>(text.data() - bytes.data()) + text.size());
+    if (data.size() != count * type.size) {
+        throw Error(fmt::format("'{}' is {}: {} bytes of numbers where its shape ({}) needs {}", name,
+                                data.size() < count * type.size ? "truncated" : "too long", data.size(),
+                                fmt::join(header.shape, ", "), count * type.size));
+    }
+    NpyArray array{header.shape, std::vector<double>(count)};
+    for (std::size_t i = 0; i < count; ++i) array.values[i] = type.load(data.data() + i * type.size);
+    if (!header.fortran_order || header.shape.size() < 2) return array;
+    if (header.shape.size() > 2) {
+        throw Error(fmt::format("'{}' is in Fortran order with {} dimensions; at most 2 are allowed so", name,
+                                header.shape.size()));
+    }
+    array.values = transposed(array.values, header.shape[0], header.shape[1]);
+    return array;
+}
+
+NpyArray read_npy(const std::filesystem::path& path) { return parse_npy(read_file(path), path.string()); }
+
+void write_npy(const std::filesystem::path& path, const std::vector<std::size_t>& shape, std::span<const double> values,
+               NpyType type) {
+    if (count_values(shape, path.string()) != values.size()) {
+        throw Error(fmt::format("'{}' cannot be written: {} values do not fill the shape ({})", path.string(),
+                                values.size(), fmt::join(shape, ", ")));
+    }
+    const bool single = type == NpyType::float32;
+    auto header = fmt::format("{{'descr': '{}', 'fortran_order': False, 'shape': ({}{}), }}", single ? "<f4" : "<f8",
+                              fmt::join(shape, ", "), shape.size() == 1 ? "," : "");
+    header.append(63 - (10 + header.size()) % 64, ' ');  // numbers start at a multiple of 64
+    header += '\n';
+
+    AtomicFile file(path);
+    file.write(magic);
+    const std::array<char, 4> version_and_length{1, 0, static_cast<char>(header.size() & 0xff),
+                                                 static_cast<char>(header.size() >> 8)};
+    file.write(version_and_length.data(), version_and_length.size());
+    file.write(header);
+    if (single) {
+        const std::vector<float> narrow(values.begin(), values.end());
+        file.write(narrow.data(), narrow.size() * sizeof(float));
+    } else {
+        file.write(values.data(), values.size_bytes());
+    }
+    file.commit();
+}
+
+}  // namespace pelage

@@ -1,0 +1,28 @@
+// NumPy's array files.
+#pragma once
+
+#include <cstddef>
+#include <filesystem>
+#include <span>
+#include <string_view>
+#include <vector>
+
+namespace pelage {
+
+struct NpyArray {
+    std::vector<std::size_t> shape;  // empty: one number
+    std::vector<double> values;      // row-major (C order), whatever the order in the file
+};
+
+// Little-endian float32/64, signed int8..64, unsigned int8..32 and bool; Fortran order in up to two dimensions.
+// int64 beyond 2^53 is rounded. Throws Error naming the file on anything else, and on truncated or overlong files.
+NpyArray read_npy(const std::filesystem::path&);
+NpyArray parse_npy(std::string_view bytes, std::string_view name);  // the same from memory
+
+enum class NpyType { float32, float64 };
+
+// Format version 1.0, C order. Throws Error when the shape does not fit the values or the file cannot be written.
+void write_npy(const std::filesystem::path&, const std::vector<std::size_t>& shape, std::span<const double> values,
+               NpyType = NpyType::float64);
+
+}  // namespace pelage

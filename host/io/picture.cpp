@@ -1,0 +1,126 @@
+// See picture.hpp. libpng reports errors by longjmp, as in png_read.cpp.
+#include "io/picture.hpp"
+
+#include "core/error.hpp"
+#include "io/atomic_file.hpp"
+
+#include <fmt/format.h>
+#include <png.h>
+#include <algorithm>
+#include <csetjmp>
+#include <cstring>
+#include <string>
+
+namespace pelage {
+namespace {
+
+struct Sink {
+    std::string bytes;
+    std::array<char, 128> message{};
+};
+
+void on_error(png_structp png, png_const_charp text) {
+    auto* sink = static_cast<Sink*>(png_get_error_ptr(png));
+    std::strncpy(sink->message.data(), text, sink->message.size() - 1);
+    png_longjmp(png, 1);
+}
+
+void on_warning(png_structp, png_const_charp) {}
+
+// No exception may pass through libpng.
+bool append(std::string& to, png_bytep bytes, std::size_t count) noexcept {
+    try {
+        to.append(reinterpret_cast<const char*>(bytes), count);
+        return true;
+    } catch (...) {
+        return false;
+    }
+}
+
+void on_write(png_structp png, png_bytep bytes, std::size_t count) {
+    if (!append(static_cast<Sink*>(png_get_io_ptr(png))->bytes, bytes, count)) png_error(png, "out of memory");
+}
+
+void on_flush(png_structp) {}
+
+struct Writer {
+    Writer() : png(png_create_write_struct(PNG_LIBPNG_VER_STRING, &sink, on_error, on_warning)) {
+        if (png != nullptr) info = png_create_info_struct(png);
+    }
+    ~Writer() { png_destroy_write_struct(&png, &info); }
+    Writer(const Writer&) = delete;
+    Writer& operator=(const Writer&) = delete;
+
+    Sink sink;
+    png_structp png = nullptr;
+    png_infop info = nullptr;
+};
+
+bool write_header(Writer& writer, png_uint_32 columns, png_uint_32 rows, int colour_type) {
+    if (setjmp(png_jmpbuf(writer.png)) != 0) return false;
+    png_set_user_limits(writer.png, PNG_UINT_31_MAX, PNG_UINT_31_MAX);
+    png_set_write_fn(writer.png, &writer.sink, on_write, on_flush);
+    png_set_compression_level(writer.png, 4);  // twice as fast as the default, files a few percent larger
+    png_set_IHDR(writer.png, writer.info, columns, rows, 8, colour_type, PNG_INTERLACE_NONE,
+                 PNG_COMPRESSION_TYPE_DEFAULT, PNG_FILTER_TYPE_DEFAULT);
+    png_write_info(writer.png, writer.info);
+    return true;
+}
+
+bool write_row(Writer& writer, png_const_bytep row) {
+    if (setjmp(png_jmpbuf(writer.png)) != 0) return false;
+    png_write_row(writer.png, row);
+    return true;
+}
+
+bool write_end(Writer& writer) {
+    if (setjmp(png_jmpbuf(writer.png)) != 0) return false;
+    png_write_end(writer.png, nullptr);
+    return true;
+}
+
+bool write_picture(Writer& writer, const Picture& picture) {
+    const bool colourless = std::all_of(picture.pixels.begin(), picture.pixels.end(),
+                                        [](const Rgb& pixel) { return pixel[0] == pixel[1] && pixel[1] == pixel[2]; });
+    if (!write_header(writer, static_cast<png_uint_32>(picture.columns), static_cast<png_uint_32>(picture.rows),
+                      colourless ? PNG_COLOR_TYPE_GRAY : PNG_COLOR_TYPE_RGB)) {
+        return false;
+    }
+    std::vector<png_byte> row(picture.columns);
+    for (std::size_t line = 0; line < picture.rows; ++line) {
+        const Rgb* const pixels = &picture.at(0, line);
+        if (colourless)
+            std::transform(pixels, pixels + picture.columns, row.begin(), [](const Rgb& p) { return p[0]; });
+        if (!write_row(writer, colourless ? row.data() : pixels->data())) return false;
+    }
+    return write_end(writer);
+}
+
+}  // namespace
+
+Picture enlarged(const Picture& picture, std::size_t factor) {
+    Picture result(picture.columns * factor, picture.rows * factor);
+    for (std::size_t line = 0; line < result.rows; ++line) {
+        for (std::size_t column = 0; column < result.columns; ++column) {
+            result.at(column, line) = picture.at(column / factor, line / factor);
+        }
+    }
+    return result;
+}
+
+std::size_t enlargement(std::size_t columns, std::size_t rows) {
+    const auto [shorter, longer] = std::minmax(columns, rows);
+    if (shorter == 0) return 1;
+    return std::max<std::size_t>(1, std::min({std::size_t{16}, (399 + shorter) / shorter, 8191 / longer}));
+}
+
+void write_png(const std::filesystem::path& path, const Picture& picture) {
+    Writer writer;
+    if (writer.info == nullptr || picture.pixels.empty() || !write_picture(writer, picture)) {
+        throw Error(fmt::format("cannot write '{}': {} x {} pixels do not make a PNG picture ({})", path.string(),
+                                picture.columns, picture.rows, writer.sink.message.data()));
+    }
+    write_file(path, writer.sink.bytes);
+}
+
+}  // namespace pelage

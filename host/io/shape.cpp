@@ -1,0 +1,34 @@
+// See shape.hpp.
+#include "io/shape.hpp"
+
+#include "core/error.hpp"
+
+#include <fmt/format.h>
+#include <string>
+
+namespace pelage {
+
+void check_shape(const Snapshot& snapshot, const Experiment& experiment) {
+    const auto check = [&](std::size_t length, const std::string& what) {
+        if (length == snapshot.cells()) return;
+        throw Error(fmt::format("the snapshot has {} cells, but {} for {} of them", snapshot.cells(), what, length));
+    };
+    const auto chemicals = experiment.chemicals.size();
+    if (snapshot.conc.size() != chemicals || snapshot.diff.size() != chemicals) {
+        throw Error(fmt::format("the snapshot has {} chemicals and rates of {}; the experiment defines {}",
+                                snapshot.conc.size(), snapshot.diff.size(), chemicals));
+    }
+    if (snapshot.lattice()) check(snapshot.columns * snapshot.rows, "its lattice has places");
+    for (std::size_t i = 0; i < chemicals; ++i) {
+        check(snapshot.conc[i].size(), "concentrations of " + experiment.chemicals[i].name);
+        check(snapshot.diff[i].size(), "rates of " + experiment.chemicals[i].name);
+    }
+    check(snapshot.y.size(), "places");
+    check(snapshot.polarity_x.size(), "polarities");
+    check(snapshot.polarity_y.size(), "polarities");
+    check(snapshot.birth.size(), "births");
+    check(snapshot.neighbours.size(), "neighbour counts");
+    check(snapshot.fixed.size(), "fixed marks");
+}
+
+}  // namespace pelage

@@ -1,0 +1,37 @@
+// Lattices for VTK programs; see vtk.hpp.
+#include "core/error.hpp"
+#include "io/shape.hpp"
+#include "io/vtk.hpp"
+#include "io/vtk_xml.hpp"
+
+#include <fmt/format.h>
+
+namespace pelage {
+
+void write_vti(const std::filesystem::path& path, const Snapshot& snapshot, const Experiment& experiment,
+               Precision precision) {
+    if (!snapshot.lattice()) throw Error(fmt::format("'{}' cannot be written: free cells are no image", path.string()));
+    check_shape(snapshot, experiment);
+    AtomicFile file(path);
+    const auto extent = fmt::format("0 {} 0 {} 0 0", snapshot.columns, snapshot.rows);
+    open_vtk(file, "ImageData", snapshot.iteration,
+             fmt::format("WholeExtent=\"{}\" Origin=\"{} {} 0\" Spacing=\"2 2 2\"", extent,
+                         snapshot.origin_x - static_cast<double>(snapshot.columns),
+                         snapshot.origin_y - static_cast<double>(snapshot.rows)));
+    const auto& first = experiment.chemicals.empty() ? "" : experiment.chemicals[0].name;
+    file.write(fmt::format("<Piece Extent=\"{}\">\n<CellData Scalars=\"{}\">\n", extent, xml_escaped(first)));
+    for (std::size_t i = 0; i < experiment.chemicals.size(); ++i) {
+        const auto value = [&](std::size_t cell) { return snapshot.conc[i][cell]; };
+        const auto& name = experiment.chemicals[i].name;
+        if (precision == Precision::double_) {
+            write_array<double>(file, name, 1, snapshot.cells(), value);
+        } else {
+            write_array<float>(file, name, 1, snapshot.cells(), value);
+        }
+    }
+    file.write("</CellData>\n</Piece>\n");
+    close_vtk(file, "ImageData");
+    file.commit();
+}
+
+}  // namespace pelage
