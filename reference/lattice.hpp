@@ -1,0 +1,13 @@
+// Lattice tissues on the reference.
+#pragma once
+
+#include "core/tissue.hpp"
+
+#include <memory>
+
+namespace pelage {
+
+// Throws Error when the experiment is not a lattice.
+std::unique_ptr<Tissue> make_reference_lattice(std::shared_ptr<const Experiment>, const Snapshot& initial, Precision);
+
+}  // namespace pelage

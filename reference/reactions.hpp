@@ -1,0 +1,17 @@
+// Adds a reaction to the new concentrations.
+#pragma once
+
+#include "core/lattice.hpp"
+#include "reference/operands.hpp"
+
+#include <cstdint>
+#include <vector>
+
+namespace pelage::reference {
+
+// For each cell where truth holds: new += scale * f(u, v) * dt with the old u and v, in the order of operations of
+// `arithmetic`.
+template <class T>
+void react_cells(const React&, Arithmetic, T dt, Sight<T>&, State<T>& next, const std::vector<std::uint8_t>& truth);
+
+}  // namespace pelage::reference

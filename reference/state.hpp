@@ -1,0 +1,40 @@
+// The state of a tissue as the reference computes with it: one array a quantity, in the precision of the run.
+#pragma once
+
+#include "core/snapshot.hpp"
+
+#include <cstddef>
+#include <cstdint>
+#include <utility>
+#include <vector>
+
+namespace pelage::reference {
+
+// Cells in id order; on a lattice id = row * columns + column. Lengths in units of cell radius.
+template <class T>
+struct State {
+    std::size_t columns = 0;  // 0 for free cells
+    std::size_t rows = 0;
+    double origin_x = 0.0;
+    double origin_y = 0.0;
+
+    std::vector<std::vector<T>> conc;      // [chemical][cell]
+    std::vector<std::vector<T>> diff;      // [chemical][cell]
+    std::vector<std::vector<T>> mappings;  // [mapping][cell]
+    std::vector<T> x, y;
+    std::vector<T> polarity_x, polarity_y;
+    std::vector<std::int32_t> birth;
+    std::vector<std::int32_t> neighbours;  // as counted in the previous iteration
+    std::vector<std::uint8_t> fixed;
+    std::vector<std::pair<std::uint32_t, std::uint32_t>> mirrors;
+
+    std::size_t cells() const { return x.size(); }
+};
+
+template <class T>
+State<T> state_from(const Snapshot&);
+
+template <class T>
+Snapshot snapshot_from(const State<T>&);  // all but the iteration
+
+}  // namespace pelage::reference
