@@ -1,0 +1,50 @@
+// See backend.hpp.
+#include "opencl/backend.hpp"
+
+#include "core/prepattern.hpp"
+#include "opencl/cl_error.hpp"
+#include "opencl/lattice.hpp"
+#include "opencl/session.hpp"
+
+#include <fmt/format.h>
+
+namespace pelage {
+
+namespace {
+
+class DeviceBackend final : public OpenclBackend {
+public:
+    explicit DeviceBackend(const OpenclOptions& options)
+        : session_(std::make_shared<Session>(select_device(options.device), options)) {}
+
+    std::string name() const override { return "opencl: " + session_->info().name; }
+    Precision precision() const override { return session_->options().precision; }
+    const DeviceInfo& device() const override { return session_->info(); }
+    std::string build_options() const override { return session_->build_options(); }
+
+    std::string why_not(const Experiment& experiment) const override {
+        if (session_->is_double() && !session_->info().fp64) {
+            return fmt::format("device '{}' has no double precision", session_->info().name);
+        }
+        if (!is_lattice(experiment)) return "free cells are not supported on OpenCL devices";
+        return "";
+    }
+
+    using Backend::make_tissue;
+    std::unique_ptr<Tissue> make_tissue(const Experiment& experiment, const Snapshot& initial) override {
+        const std::string reason = why_not(experiment);
+        if (!reason.empty()) throw Error(experiment.source + ": " + reason);
+        return make_opencl_lattice(session_, std::make_shared<const Experiment>(experiment), initial);
+    }
+
+private:
+    std::shared_ptr<const Session> session_;
+};
+
+}  // namespace
+
+std::unique_ptr<OpenclBackend> opencl_backend(const OpenclOptions& options) {
+    return std::make_unique<DeviceBackend>(options);
+}
+
+}  // namespace pelage

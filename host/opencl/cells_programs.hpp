@@ -1,0 +1,39 @@
+// Step programs of free cells, compiled for the rules that act and kept.
+#pragma once
+
+#include "opencl/cells_source.hpp"
+#include "opencl/session.hpp"
+
+#include <cstdint>
+#include <map>
+#include <string>
+#include <tuple>
+#include <vector>
+
+namespace pelage {
+
+struct CellsStep {
+    cl::Kernel there;  // from the arrays that hold the state to the spare ones
+    cl::Kernel back;
+    CellsWritten written;
+};
+
+class CellsPrograms {
+public:
+    CellsPrograms(const Session&, const Experiment&, CellsPlan);
+
+    std::size_t width() const { return width_; }  // cells a work-item handles
+
+    // The step for that iteration and all after it below `until`.
+    CellsStep& at(std::uint64_t iteration, std::uint64_t& until);
+
+private:
+    const Session& session_;
+    const Experiment& experiment_;
+    CellsPlan plan_;
+    std::size_t width_;
+    using Key = std::tuple<std::size_t, bool, std::vector<bool>>;  // phase, tests of intervals, rules
+    std::map<Key, CellsStep> steps_;
+};
+
+}  // namespace pelage

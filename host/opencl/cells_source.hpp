@@ -1,0 +1,46 @@
+// The source of a step of free cells: kernels/cells_step.cl filled in for one experiment.
+#pragma once
+
+#include "core/experiment.hpp"
+#include "core/lattice.hpp"
+#include "core/snapshot.hpp"
+#include "core/tissue.hpp"
+#include "opencl/cells_state.hpp"
+
+#include <cstddef>
+#include <string>
+#include <vector>
+
+namespace pelage {
+
+// What the emitted text depends on besides the rules.
+struct CellsPlan {
+    std::vector<RateKind> rates;  // one a chemical
+    bool mirrors = false;         // some cells are mirror pairs
+    bool all_listed = false;      // lists hold neighbours only, not candidates that may be too far
+};
+
+// Throws Error when there are more `divide` rules than a step can tell apart.
+CellsPlan cells_plan(const Experiment&, const Snapshot&, bool all_listed);
+
+// Which arrays a step writes besides positions, concentrations and neighbour counts.
+struct CellsWritten {
+    bool rate = false;
+    bool polarity = false;
+    bool mapping = false;
+};
+
+// Positions, concentrations and counts always.
+bool changes(const CellsWritten&, CellArray);
+
+struct CellsSource {
+    std::string text;
+    CellsWritten written;
+};
+
+// The rules in `active` act; with `test_intervals` only where their intervals say so. `phase` gives time step and
+// bounds. `width`: cells a work-item handles side by side.
+CellsSource cells_step_source(const Experiment&, const std::vector<bool>& active, bool test_intervals, const Phase&,
+                              const CellsPlan&, Precision, std::size_t width);
+
+}  // namespace pelage

@@ -1,0 +1,180 @@
+// See device.hpp.
+#include "opencl/device.hpp"
+
+#include "opencl/cl_error.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cctype>
+#include <charconv>
+#include <cstdlib>
+
+namespace pelage {
+
+namespace {
+
+std::string lower(std::string text) {
+    std::transform(text.begin(), text.end(), text.begin(),
+                   [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+    return text;
+}
+
+std::string trimmed(const std::string& text) {
+    const auto first = text.find_first_not_of(std::string(" \t\n\0", 4));
+    const auto last = text.find_last_not_of(std::string(" \t\n\0", 4));
+    return first == std::string::npos ? "" : text.substr(first, last - first + 1);
+}
+
+std::string type_name(cl_device_type type) {
+    if ((type & CL_DEVICE_TYPE_GPU) != 0) return "gpu";
+    if ((type & CL_DEVICE_TYPE_CPU) != 0) return "cpu";
+    if ((type & CL_DEVICE_TYPE_ACCELERATOR) != 0) return "accelerator";
+    return "other";
+}
+
+std::string why_unusable(const cl::Device& device) {
+    if (device.getInfo<CL_DEVICE_AVAILABLE>() == CL_FALSE) return "the device is not available";
+    if (device.getInfo<CL_DEVICE_COMPILER_AVAILABLE>() == CL_FALSE) return "the device has no compiler";
+    if (device.getInfo<CL_DEVICE_ENDIAN_LITTLE>() == CL_FALSE) return "the device is big-endian";
+    unsigned major = 0;
+    unsigned minor = 0;
+    const std::string version = device.getInfo<CL_DEVICE_VERSION>();
+    if (std::sscanf(version.c_str(), "OpenCL %u.%u", &major, &minor) != 2 || major * 10 + minor < 12) {
+        return fmt::format("OpenCL 1.2 is needed, the device has '{}'", trimmed(version));
+    }
+    return "";
+}
+
+void query(const cl::Device& device, DeviceInfo& info) {
+    info.name = trimmed(device.getInfo<CL_DEVICE_NAME>());
+    info.vendor = trimmed(device.getInfo<CL_DEVICE_VENDOR>());
+    info.version = trimmed(device.getInfo<CL_DEVICE_VERSION>());
+    info.driver = trimmed(device.getInfo<CL_DRIVER_VERSION>());
+    info.type = type_name(device.getInfo<CL_DEVICE_TYPE>());
+    info.memory = device.getInfo<CL_DEVICE_GLOBAL_MEM_SIZE>();
+    info.max_allocation = device.getInfo<CL_DEVICE_MAX_MEM_ALLOC_SIZE>();
+    info.compute_units = device.getInfo<CL_DEVICE_MAX_COMPUTE_UNITS>();
+    info.max_work_group = device.getInfo<CL_DEVICE_MAX_WORK_GROUP_SIZE>();
+    info.vector_width_float = std::max(1u, device.getInfo<CL_DEVICE_NATIVE_VECTOR_WIDTH_FLOAT>());
+    info.vector_width_double = device.getInfo<CL_DEVICE_NATIVE_VECTOR_WIDTH_DOUBLE>();
+    info.fp64 = device.getInfo<CL_DEVICE_DOUBLE_FP_CONFIG>() != 0;
+    info.correctly_rounded_divide_sqrt =
+        (device.getInfo<CL_DEVICE_SINGLE_FP_CONFIG>() & CL_FP_CORRECTLY_ROUNDED_DIVIDE_SQRT) != 0;
+    info.unusable = why_unusable(device);
+}
+
+DeviceInfo describe(const cl::Device& device, const std::string& platform, const std::string& platform_version) {
+    DeviceInfo info;
+    info.platform = platform;
+    info.platform_version = platform_version;
+    info.id = device();
+    try {
+        query(device, info);
+    } catch (const cl::Error& error) {
+        if (info.name.empty()) info.name = "unknown";
+        if (info.type.empty()) info.type = "other";
+        info.unusable = fmt::format("{} failed with {}", error.what(), cl_error_name(error.err()));
+    }
+    return info;
+}
+
+std::string listing(const std::vector<DeviceInfo>& devices) {
+    if (devices.empty()) return "no OpenCL device is there; install a driver, such as pocl-opencl-icd";
+    std::string text = "devices here:";
+    for (const DeviceInfo& device : devices) {
+        text += fmt::format("\n  {}: {} ({}, {}){}{}", device.index, device.name, device.type, device.platform,
+                            device.unusable.empty() ? "" : ", cannot be used: ", device.unusable);
+    }
+    return text;
+}
+
+bool is_type(const std::string& word) { return word == "gpu" || word == "cpu" || word == "accelerator"; }
+
+// Lower is better.
+int rank(const DeviceInfo& device) {
+    if (device.software_rasteriser()) return 4;
+    if (device.type == "gpu") return 0;
+    if (device.type == "cpu") return 1;
+    return device.type == "accelerator" ? 2 : 3;
+}
+
+// The best-ranked usable device that `fits`; devices.size() when there is none.
+template <class Fits>
+std::size_t best(const std::vector<DeviceInfo>& devices, Fits fits) {
+    std::size_t found = devices.size();
+    for (std::size_t i = 0; i < devices.size(); ++i) {
+        if (!devices[i].unusable.empty() || !fits(devices[i])) continue;
+        if (found == devices.size() || rank(devices[i]) < rank(devices[found])) found = i;
+    }
+    return found;
+}
+
+std::optional<std::size_t> as_index(const std::string& word) {
+    std::size_t index = 0;
+    const auto [end, failure] = std::from_chars(word.data(), word.data() + word.size(), index);
+    if (failure != std::errc{} || end != word.data() + word.size()) return {};
+    return index;
+}
+
+std::size_t by_index(const std::vector<DeviceInfo>& devices, std::size_t index) {
+    if (index >= devices.size()) throw Error(fmt::format("there is no OpenCL device {}; {}", index, listing(devices)));
+    if (!devices[index].unusable.empty()) {
+        throw Error(fmt::format("OpenCL device {} ({}) cannot be used: {}", index, devices[index].name,
+                                devices[index].unusable));
+    }
+    return index;
+}
+
+}  // namespace
+
+bool DeviceInfo::software_rasteriser() const {
+    const std::string text = lower(name + " " + platform);
+    return text.find("llvmpipe") != std::string::npos || text.find("softpipe") != std::string::npos ||
+           text.find("swrast") != std::string::npos || text.find("clover") != std::string::npos;
+}
+
+std::vector<DeviceInfo> list_devices() {
+    std::vector<cl::Platform> platforms;
+    try {
+        cl::Platform::get(&platforms);
+    } catch (const cl::Error&) {
+        return {};  // the loader reports "no platform" as an error
+    }
+    std::vector<DeviceInfo> devices;
+    for (const cl::Platform& platform : platforms) {
+        try {
+            const std::string name = trimmed(platform.getInfo<CL_PLATFORM_NAME>());
+            const std::string version = trimmed(platform.getInfo<CL_PLATFORM_VERSION>());
+            std::vector<cl::Device> found;
+            platform.getDevices(CL_DEVICE_TYPE_ALL, &found);
+            for (const cl::Device& device : found) devices.push_back(describe(device, name, version));
+        } catch (const cl::Error&) {
+            continue;  // no devices, or a broken driver: the other platforms still count
+        }
+    }
+    for (std::size_t i = 0; i < devices.size(); ++i) devices[i].index = i;
+    return devices;
+}
+
+std::size_t choose_device(const std::vector<DeviceInfo>& devices, const std::optional<std::string>& wanted) {
+    const std::string word = lower(trimmed(wanted.value_or("")));
+    if (const auto index = as_index(word)) return by_index(devices, *index);
+    const auto fits = [&](const DeviceInfo& device) {
+        if (word.empty()) return true;
+        return is_type(word) ? device.type == word : lower(device.name).find(word) != std::string::npos;
+    };
+    const std::size_t found = best(devices, fits);
+    if (found < devices.size()) return found;
+    if (word.empty()) throw Error("no usable OpenCL device; " + listing(devices));
+    throw Error(fmt::format("no usable OpenCL device is, or is named, '{}'; {}", word, listing(devices)));
+}
+
+DeviceInfo select_device(const std::optional<std::string>& wanted) {
+    const std::vector<DeviceInfo> devices = list_devices();
+    std::optional<std::string> word = wanted;
+    if (const char* set = std::getenv("PELAGE_DEVICE"); !word && set != nullptr && *set != '\0') word = set;
+    return devices.at(choose_device(devices, word));
+}
+
+}  // namespace pelage

@@ -1,0 +1,48 @@
+// The OpenCL devices of this machine and the choice of one.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace pelage {
+
+struct DeviceInfo {
+    std::size_t index = 0;  // place in list_devices()
+    std::string platform;
+    std::string platform_version;
+    std::string name;
+    std::string vendor;
+    std::string version;  // "OpenCL 3.0 ..."
+    std::string driver;
+    std::string type;  // "gpu", "cpu", "accelerator" or "other"
+    std::uint64_t memory = 0;          // bytes
+    std::uint64_t max_allocation = 0;  // bytes in one buffer
+    std::uint32_t compute_units = 0;
+    std::size_t max_work_group = 0;
+    std::uint32_t vector_width_float = 1;  // lanes the hardware has
+    std::uint32_t vector_width_double = 0;
+    bool fp64 = false;
+    bool correctly_rounded_divide_sqrt = false;  // of float; double always is
+    std::string unusable;                        // why it cannot be used; empty when it can
+    void* id = nullptr;                          // cl_device_id
+
+    // Draws by CPU behind a GPU driver's interface (llvmpipe, Clover): the last resort.
+    bool software_rasteriser() const;
+};
+
+// All devices of all platforms, in the loader's order. A platform that fails while being queried is left out and
+// does not hide the others; a device that fails is listed with the reason in `unusable`.
+std::vector<DeviceInfo> list_devices();
+
+// The place in `devices` of the one that `wanted` names: an index, a type (gpu, cpu, accelerator) or a part of the
+// name in any case. Without `wanted`: the first usable GPU that is not a software rasteriser, else the first such CPU,
+// else accelerator, else whatever is usable. Throws Error listing what is there.
+std::size_t choose_device(const std::vector<DeviceInfo>& devices, const std::optional<std::string>& wanted);
+
+// choose_device among list_devices(); without `wanted` the environment variable PELAGE_DEVICE is obeyed, if set.
+DeviceInfo select_device(const std::optional<std::string>& wanted = {});
+
+}  // namespace pelage

@@ -1,0 +1,32 @@
+// The source of a lattice's step for one set of active rules.
+#pragma once
+
+#include "core/experiment.hpp"
+#include "core/lattice.hpp"
+#include "core/tissue.hpp"
+#include "opencl/emit_rules.hpp"
+
+#include <cstddef>
+#include <string>
+#include <vector>
+
+namespace pelage {
+
+// Numbers that the step reads from its buffer of parameters: dt, then for each chemical these four.
+enum class LatticeParameter { floor, limit, rate, share };  // share: rate * dt / divisor of the stencil
+inline std::size_t parameter_place(std::size_t chemical, LatticeParameter what) {
+    return 1 + 4 * chemical + static_cast<std::size_t>(what);
+}
+
+// Places of the chemicals with rates of their own among the planes of rates, in order of chemical.
+std::vector<std::size_t> rate_planes(const LatticePlan&);  // npos where the chemical has none
+inline constexpr std::size_t no_plane = static_cast<std::size_t>(-1);
+
+// 6 for nine_point, 20 for sims, 1 for the others.
+double stencil_divisor(Stencil);
+
+// `bounded`: chemicals that have a finite bound in some phase. `width`: see PELAGE_WIDTH.
+std::string lattice_source(const Experiment&, const LatticePlan&, const RuleText&, const std::vector<bool>& bounded,
+                           Precision, std::size_t width);
+
+}  // namespace pelage

@@ -1,0 +1,253 @@
+// See emit_rules.hpp.
+#include "opencl/emit_rules.hpp"
+
+#include "core/philox.hpp"
+#include "opencl/emit_operand.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <utility>
+#include <variant>
+
+namespace pelage {
+
+namespace {
+
+std::string kernel_name(Model model) {
+    std::string name = model_name(model);
+    std::replace(name.begin(), name.end(), '-', '_');
+    return name;
+}
+
+bool acts_on_one(Model model) { return model == Model::cubic || model == Model::reinforcement; }
+
+const char* symbol(Comparison comparison) {
+    switch (comparison) {
+        case Comparison::equal: return "==";
+        case Comparison::not_equal: return "!=";
+        case Comparison::less: return "<";
+        case Comparison::less_equal: return "<=";
+        case Comparison::greater: return ">";
+        case Comparison::greater_equal: return ">=";
+    }
+    return "==";
+}
+
+// True at the iterations at which the rule acts, as Rule::active(); values past 32 bits never come.
+std::string interval(const Rule& rule) {
+    const auto past = [](std::uint64_t value) { return value > largest_iteration; };
+    if (rule.offset > largest_iteration - std::min<std::uint64_t>(rule.origin, largest_iteration) || past(rule.origin) ||
+        past(rule.from)) {
+        return "0";
+    }
+    const std::uint64_t first = rule.origin + rule.offset;
+    std::string text = fmt::format("iteration >= {}u", std::max(rule.from, first));
+    if (!past(rule.until)) text += fmt::format(" && iteration <= {}u", rule.until);
+    if (past(rule.every)) return text + fmt::format(" && iteration == {}u", first);
+    if (rule.every > 1) text += fmt::format(" && (iteration - {}u) % {}u == 0", first, rule.every);
+    return text;
+}
+
+// Emits one rule: its condition as mask t<place>, then its action. Pieces go to `out`.
+class RuleEmitter {
+public:
+    RuleEmitter(RuleText& out, const Rule& rule, std::size_t place, std::size_t divide, Precision precision)
+        : out_(out), rule_(rule), place_(place), divide_(divide), precision_(precision), operands_(place, precision) {}
+
+    // `handed`: mask of the `and` rule before, or empty. `interval`: when to act, or empty for always.
+    void emit(const std::string& handed, const std::string& interval_test) {
+        std::string condition = std::visit([&](const auto& c) { return test(c); }, rule_.condition);
+        const std::string draws = operands_.take_draws();
+        if (!interval_test.empty()) condition = join(fmt::format("UNIFORM({})", interval_test), condition);
+        if (!handed.empty()) condition = join(handed, condition);
+        always_ = condition.empty();
+        line(fmt::format("// rule {}{}", place_, rule_.line == 0 ? "" : fmt::format(", line {}", rule_.line)));
+        out_.rules += draws;
+        line(fmt::format("const mask t{} = {};", place_, always_ ? "ALL_TRUE" : condition));
+        std::visit([&](const auto& action) { act(action); }, rule_.action);
+        operands_.note_use(out_.use);
+    }
+
+private:
+    static std::string join(const std::string& a, const std::string& b) {
+        return b.empty() ? a : fmt::format("{} & {}", a, b);
+    }
+
+    void line(const std::string& text) { out_.rules += text + "\n"; }
+
+    std::string truth() const { return fmt::format("t{}", place_); }
+
+    // target = value, where the rule holds.
+    void assign(const std::string& target, const std::string& value) {
+        line(always_ ? fmt::format("{} = {};", target, value)
+                     : fmt::format("{} = SELECT({}, {}, {});", target, truth(), value, target));
+    }
+
+    std::string number(double value) const { return emit_number(value, precision_); }
+
+    std::string test(const Always&) { return ""; }
+    std::string test(const Compare& c) {
+        const std::string left = operands_.text(c.left);
+        return fmt::format("({} {} {})", left, symbol(c.comparison), operands_.text(c.right));
+    }
+    std::string test(const Within& c) {
+        const std::string value = operands_.text(c.value);
+        const std::string low = operands_.text(c.low);
+        return fmt::format("({} <= {}) & ({} <= {})", low, value, value, operands_.text(c.high));
+    }
+    std::string test(const Probability& c) {
+        const std::string chance = operands_.text(c.chance);
+        return fmt::format("({} < {})", operands_.draw(purpose::condition), chance);
+    }
+
+    // Draws are made only if some lane needs them.
+    template <class Body>
+    void guarded(Body&& body) {
+        const bool drawn = operands_.has_draws();
+        if (drawn) line(fmt::format("if (ANY({})) {{", truth()));
+        out_.rules += operands_.take_draws();
+        body();
+        if (drawn) line("}");
+    }
+
+    std::string deviated(const Operand& amount, double deviation) {
+        const std::string middle = operands_.text(amount);
+        if (static_cast<float>(deviation) == 0.0f && (precision_ == Precision::single_ || deviation == 0.0)) return middle;
+        const std::string u = operands_.draw(purpose::deviation);
+        return fmt::format("({} + {} * (({} + {}) - R(1)))", middle, number(deviation), u, u);
+    }
+
+    void act(const React& react) {
+        const std::string name = kernel_name(react.model);
+        std::string parameters = operands_.text(react.scale) + ", dt, c" + std::to_string(react.u);
+        if (!acts_on_one(react.model)) parameters += ", c" + std::to_string(react.v);
+        for (const Operand& parameter : react.parameters) parameters += ", " + operands_.text(parameter);
+        out_.use.reacts.insert(static_cast<std::size_t>(react.model));
+        guarded([&] {
+            assign(fmt::format("n{}", react.u), fmt::format("{}_u(n{}, {})", name, react.u, parameters));
+            if (acts_on_one(react.model)) return;
+            assign(fmt::format("n{}", react.v), fmt::format("{}_v(n{}, {})", name, react.v, parameters));
+        });
+    }
+
+    void act(const Change& change) {
+        const bool rate = change.target == Target::rate;
+        if (rate) out_.use.rates_written.insert(change.chemical);
+        const std::string target = fmt::format("{}{}", rate ? 'q' : 'n', change.chemical);
+        const std::string amount = deviated(change.amount, change.deviation);
+        guarded([&] {
+            assign(target, fmt::format("{} + {}", target, amount));
+            if (rate) assign(target, fmt::format("SELECT({} < R(0), R(0), {})", target, target));
+        });
+    }
+
+    void act(const Set& set) {
+        const bool rate = set.target == Target::rate;
+        (rate ? out_.use.rates_written : out_.use.sets).insert(set.chemical);
+        const std::string value = operands_.text(set.value);
+        guarded([&] {
+            assign(fmt::format("{}{}", rate ? "sq" : "s", set.chemical), value);
+            assign(fmt::format("{}{}", rate ? "eq" : "e", set.chemical), "ALL_TRUE");
+        });
+    }
+
+    void act(const Map& map) {
+        out_.use.mappings_written.insert(map.mapping);
+        const std::string value = operands_.text(map.value);
+        const std::string from_low = number(map.from_low), from_high = number(map.from_high);
+        const std::string to_low = number(map.to_low), to_high = number(map.to_high);
+        guarded([&] {
+            assign(fmt::format("m{}", map.mapping),
+                   fmt::format("SELECT({0} < {1}, {3}, SELECT({0} > {2}, {4}, "
+                               "(({0} - {1}) / ({2} - {1})) * ({4} - {3}) + {3}))",
+                               value, from_low, from_high, to_low, to_high));
+        });
+    }
+
+    void act(const Polarize& polarize) {
+        for (const std::size_t i : out_.use.polarizes) {  // the last active rule wins
+            if (i != polarize.chemical) line(fmt::format("g{0} = g{0} & !{1};", i, truth()));
+        }
+        line(fmt::format("g{0} = g{0} | {1};", polarize.chemical, truth()));
+    }
+
+    void act(const Divide& divide) {
+        out_.use.polarity = true;
+        const std::string degrees = deviated(divide.direction, divide.deviation);
+        guarded([&] { line(fmt::format("DIVIDE({}, {}, {}, {});", divide_, place_, truth(), degrees)); });
+    }
+
+    void act(const Move& move) {
+        out_.use.polarity = true;
+        const std::string distance = deviated(move.distance, move.deviation);
+        guarded([&] { line(fmt::format("MOVE({}, {});", truth(), distance)); });
+    }
+
+    void act(const And&) {}
+    void act(const Expand&) {}
+
+    RuleText& out_;
+    const Rule& rule_;
+    std::size_t place_;
+    std::size_t divide_;
+    Precision precision_;
+    OperandEmitter operands_;
+    bool always_ = true;
+};
+
+bool sets_rate(const Rule& rule, std::size_t chemical) {
+    const auto* set = std::get_if<Set>(&rule.action);
+    return set != nullptr && set->target == Target::rate && set->chemical == chemical;
+}
+
+// Declarations before the rules and what follows them, once it is known which chemicals they touch.
+void frame(RuleText& text, const Experiment& experiment, const std::vector<bool>& active) {
+    std::string before;
+    std::string after;
+    for (const std::size_t i : text.use.sets) {
+        before += fmt::format("mask e{0} = ALL_FALSE;\nreal s{0} = R(0);\n", i);
+        text.replace += fmt::format("n{0} = SELECT(e{0}, s{0}, n{0});\n", i);
+    }
+    for (const std::size_t i : text.use.rates_written) {
+        bool set = false;
+        for (std::size_t k = 0; k < active.size(); ++k) set = set || (active[k] && sets_rate(experiment.rules[k], i));
+        if (!set) continue;
+        before += fmt::format("mask eq{0} = ALL_FALSE;\nreal sq{0} = R(0);\n", i);
+        after += fmt::format("q{0} = SELECT(eq{0}, SELECT(sq{0} < R(0), R(0), sq{0}), q{0});\n", i);
+    }
+    for (const std::size_t i : text.use.polarizes) before += fmt::format("mask g{} = ALL_FALSE;\n", i);
+    text.rules = before + text.rules + after;
+}
+
+}  // namespace
+
+RuleText emit_rules(const Experiment& experiment, const std::vector<bool>& active, Precision precision,
+                    bool test_intervals) {
+    RuleText text;
+    for (std::size_t place = 0; place < experiment.rules.size(); ++place) {
+        const auto* polarize = std::get_if<Polarize>(&experiment.rules[place].action);
+        if (polarize != nullptr && active[place]) text.use.polarizes.insert(polarize->chemical);
+    }
+    std::string handed;
+    std::size_t divides = 0;
+    for (std::size_t place = 0; place < experiment.rules.size(); ++place) {
+        const Rule& rule = experiment.rules[place];
+        const std::size_t divide = std::holds_alternative<Divide>(rule.action) ? divides++ : divides;
+        const bool conjunction = std::holds_alternative<And>(rule.action);
+        const std::string given = std::exchange(handed, "");
+        if (conjunction) handed = active[place] && given != "ALL_FALSE" ? fmt::format("t{}", place) : "ALL_FALSE";
+        if (!active[place] || given == "ALL_FALSE" || std::holds_alternative<Expand>(rule.action)) continue;
+        RuleEmitter(text, rule, place, divide, precision).emit(given, test_intervals ? interval(rule) : "");
+    }
+    frame(text, experiment, active);
+    return text;
+}
+
+std::vector<std::string> model_files(const RuleUse& use) {
+    std::vector<std::string> files{"models/addition.cl"};
+    for (const std::size_t model : use.reacts) files.push_back("models/" + kernel_name(static_cast<Model>(model)) + ".cl");
+    return files;
+}
+
+}  // namespace pelage

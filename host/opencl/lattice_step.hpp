@@ -1,0 +1,49 @@
+// The kernel that carries out iterations of a lattice under one set of active rules.
+#pragma once
+
+#include "core/experiment.hpp"
+#include "core/lattice.hpp"
+#include "opencl/lattice_state.hpp"
+#include "opencl/pace.hpp"
+#include "opencl/session.hpp"
+
+#include <cstdint>
+#include <vector>
+
+namespace pelage {
+
+// How the work of one launch is dealt out.
+struct LaunchShape {
+    std::size_t across = 1;      // work-items along a row
+    std::size_t bands = 1;       // work-items up the columns
+    std::size_t work_group = 1;  // along a row
+    std::size_t band = 1;        // rows of a work-item
+    std::size_t steps = 1;       // iterations a launch
+};
+
+// Cells that a work-item handles side by side: the lanes of a CPU, 1 on other devices.
+std::size_t lattice_width(const Session&);
+LaunchShape launch_shape(const Session&, const Grid&, std::size_t width);
+
+class LatticeStep {
+public:
+    // Rules that are not `active` are left out; with `test_intervals` the kernel tests when the others act.
+    LatticeStep(const Session&, const Experiment&, const LatticePlan&, const std::vector<bool>& active,
+                bool test_intervals);
+
+    // Enqueues iterations first .. first + count - 1. `parameters`: see LatticeParameter.
+    void enqueue(LatticeState&, const cl::Buffer& parameters, std::uint64_t first, std::uint64_t count, Pace&);
+
+private:
+    void set_buffers(LatticeState&);
+    void set_shape(LatticeState&, const cl::Buffer& parameters, const LaunchShape&);
+
+    const Session& session_;
+    std::size_t width_;
+    std::uint64_t seed_;
+    bool writes_rates_ = false;
+    bool writes_polarity_ = false;
+    cl::Kernel kernel_;
+};
+
+}  // namespace pelage

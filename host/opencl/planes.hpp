@@ -1,0 +1,80 @@
+// Values of a lattice's cells on the device: planes as kernels/lattice_rows.cl describes them.
+#pragma once
+
+#include "core/growth.hpp"
+#include "opencl/session.hpp"
+
+#include <cstddef>
+#include <cstdint>
+#include <string>
+#include <vector>
+
+namespace pelage {
+
+struct Grid {
+    std::size_t columns = 0;
+    std::size_t rows = 0;
+
+    std::size_t cells() const { return columns * rows; }
+    std::size_t pitch() const { return (columns + 15) / 16 * 16 + 16; }  // elements from row to row
+    std::size_t plane() const { return pitch() * (rows + 1); }           // elements from plane to plane
+    Grid grown(bool by_column) const { return {columns + (by_column ? 1 : 0), rows + (by_column ? 0 : 1)}; }
+    bool operator==(const Grid&) const = default;
+};
+
+// Duplicates elements of planes on the device; shared by all planes of a tissue.
+class PlaneExpander {
+public:
+    explicit PlaneExpander(const Session&);
+
+    // Makes the picks known to the device; then apply() moves planes of `grid` from one buffer to another.
+    void prepare(const Insertion&);
+    void apply(const cl::Buffer& from, const cl::Buffer& to, const Grid&, std::size_t planes, bool integers);
+
+private:
+    const Session& session_;
+    cl::Kernel scalars_;
+    cl::Kernel integers_;
+    cl::Buffer picks_;
+    std::size_t capacity_ = 0;
+    bool by_column_ = true;
+};
+
+// `planes` planes of one element type, with a second set to write the next state to, made when first needed.
+class Planes {
+public:
+    Planes(const Session&, std::string what, std::size_t planes, bool integers);
+
+    std::size_t planes() const { return planes_; }
+    const cl::Buffer& now() const { return now_; }
+    const cl::Buffer& next();  // as large as now(), with zeros where a plane has no cells
+    void swap() { std::swap(now_, next_); }
+
+    void resize(const Grid&);  // contents are lost
+    void expand(PlaneExpander&, const Grid& before, const Grid& after);
+
+    // values[plane][cell]; double for scalars whatever the precision.
+    template <class V>
+    void upload(const Grid&, const std::vector<std::vector<V>>& values);
+    template <class V>
+    std::vector<std::vector<V>> download(const Grid&) const;
+    void fill(const Grid&, std::size_t plane, double value);  // every cell of it
+
+private:
+    std::size_t element_bytes() const { return integers_ ? 4 : session_.scalar_bytes(); }
+    std::size_t elements(const Grid& grid) const { return 16 + planes_ * grid.plane() + 32; }
+    void reserve(std::size_t elements);
+    cl::Buffer zeroed() const;
+    void clear(const cl::Buffer&) const;
+
+    const Session& session_;
+    std::string what_;
+    std::size_t planes_;
+    bool integers_;
+    std::size_t capacity_ = 0;  // elements
+    bool next_stale_ = false;   // next_ is laid out for another grid
+    cl::Buffer now_;
+    cl::Buffer next_;
+};
+
+}  // namespace pelage

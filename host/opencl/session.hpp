@@ -1,0 +1,43 @@
+// One device made ready for work: context, queue, and how programs are built for it.
+#pragma once
+
+#include "opencl/backend.hpp"
+#include "opencl/cl.hpp"
+#include "opencl/device.hpp"
+
+#include <string>
+
+namespace pelage {
+
+class Session {
+public:
+    Session(DeviceInfo info, OpenclOptions options);
+
+    const DeviceInfo& info() const { return info_; }
+    const OpenclOptions& options() const { return options_; }
+    const cl::Device& device() const { return device_; }
+    const cl::Context& context() const { return context_; }
+    const cl::CommandQueue& queue() const { return queue_; }  // in order
+
+    bool is_double() const { return options_.precision == Precision::double_; }
+    std::size_t scalar_bytes() const { return is_double() ? 8 : 4; }
+
+    // Options that every program of this session is built with.
+    std::string build_options() const;
+
+    // Builds with build_options() and `more`, from the cache when it can. Throws Error when the build fails; see
+    // program.hpp.
+    cl::Program build(const std::string& source, const std::string& more = "") const;
+
+    // Throws Error when one buffer of that many bytes cannot be had on the device. `what` names its contents.
+    cl::Buffer buffer(std::size_t bytes, const std::string& what, cl_mem_flags flags = CL_MEM_READ_WRITE) const;
+
+private:
+    DeviceInfo info_;
+    OpenclOptions options_;
+    cl::Device device_;
+    cl::Context context_;
+    cl::CommandQueue queue_;
+};
+
+}  // namespace pelage

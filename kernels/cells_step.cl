@@ -1,0 +1,142 @@
+// One iteration of free cells: rules, then what the neighbours do, then bounds. PELAGE_WIDTH cells a work-item.
+// Lines that begin with //@ are filled in with text emitted for the experiment (host/opencl/cells_source.cpp).
+
+#define PELAGE_AT_1(j) j
+#define PELAGE_AT_2(a, j) (a)[j.s0], (a)[j.s1]
+#define PELAGE_AT_4(a, j) PELAGE_AT_2(a, j), (a)[j.s2], (a)[j.s3]
+#define PELAGE_AT_8(a, j) PELAGE_AT_4(a, j), (a)[j.s4], (a)[j.s5], (a)[j.s6], (a)[j.s7]
+#define PELAGE_AT_16(a, j) \
+    PELAGE_AT_8(a, j), (a)[j.s8], (a)[j.s9], (a)[j.sa], (a)[j.sb], (a)[j.sc], (a)[j.sd], (a)[j.se], (a)[j.sf]
+#if PELAGE_WIDTH == 1
+#define GATHER(a, j) ((a)[j])
+#define COUNT(m) (m)
+#else
+#define GATHER(a, j) ((real)(PELAGE_PASTE(PELAGE_AT_, PELAGE_WIDTH)(a, j)))
+#define COUNT(m) (-PELAGE_PASTE(convert_int, PELAGE_WIDTH)(m))
+#endif
+#define AS_INTV PELAGE_PASTE(as_int, PELAGE_WIDTH)
+#define AS_UINTV PELAGE_PASTE(as_uint, PELAGE_WIDTH)
+#if PELAGE_WIDTH == 1
+#undef AS_INTV
+#undef AS_UINTV
+#define AS_INTV as_int
+#define AS_UINTV as_uint
+#endif
+
+inline int pelage_largest(intv v) {
+    int lanes[PELAGE_WIDTH];
+    STORE(v, lanes);
+    int largest = lanes[0];
+    for (int lane = 1; lane < PELAGE_WIDTH; ++lane) largest = max(largest, lanes[lane]);
+    return largest;
+}
+
+// The lanes whose cells divide leave word for pelage_cells_append_children.
+inline int pelage_divide(mask where, real angle, int nth, int first, int n, int pitch, __global const int* id,
+                         __global uint* divides, __global scalar* degrees) {
+    int acts[PELAGE_WIDTH];
+    scalar angles[PELAGE_WIDTH];
+    STORE(COUNT(where), acts);
+    STORE(angle, angles);
+    int children = 0;
+    for (int lane = 0; lane < PELAGE_WIDTH && first + lane < n; ++lane) {
+        if (!acts[lane]) continue;
+        const int cell = id[first + lane];
+        divides[cell] |= 1u << nth;
+        degrees[(long)nth * pitch + cell] = angles[lane];
+        ++children;
+    }
+    return children;
+}
+
+#define MAY_DIVIDE(where) ((where) & may_divide)
+#define DIVIDE(nth, rule, where, angle)                                                                        \
+    if (ANY(MAY_DIVIDE(where))) {                                                                              \
+        children += pelage_divide(MAY_DIVIDE(where), angle, nth, first, n, pitch, id_old, divides, degrees);   \
+    }
+#define MOVE(where, distance)                                 \
+    {                                                         \
+        const real offset = distance;                         \
+        new_x = SELECT(where, new_x + px * offset, new_x);    \
+        new_y = SELECT(where, new_y + py * offset, new_y);    \
+    }
+#define GET_NEIGHBOURS TO_REAL(LOAD(neighbours_old + first))
+#define GET_BIRTH TO_REAL(LOAD(birth_old + first))
+#define GET_AGE TO_REAL((intv)((int)iteration) - LOAD(birth_old + first))
+#define GET_X x
+#define GET_Y y
+#define GET_ROW R(0)
+#define GET_COLUMN R(0)
+#define GET_ROWS R(0)
+#define GET_COLUMNS R(0)
+
+// progress[step - 1] is that of the step before; progress[0] belongs to the host. A step whose lists cannot be relied on
+// any more, or were cut off, does nothing, and neither do those after it.
+__kernel void pelage_cells_step(int n, int pitch, PELAGE_CELLS(const, _old), PELAGE_CELLS(, _new),
+                                __global const scalar* restrict built, __global const int* restrict lengths,
+                                __global const int* restrict lists, int capacity, __global const int* restrict longest,
+                                scalar half_width, scalar half_height, __global uint* restrict divides,
+                                __global scalar* restrict degrees, int threshold,
+                                __global struct pelage_progress* restrict progress, int step, uint iteration) {
+    const int first = (int)get_global_id(0) * PELAGE_WIDTH;
+    if (first >= n) return;
+    __global const struct pelage_progress* before = progress + step - 1;
+    if (before->moved >= threshold || before->children > 0 || before->skipped || longest[0] > capacity) {
+        if (first == 0) progress[step].skipped = 1;
+        return;
+    }
+    const real x = LOAD(position_old + first);
+    const real y = LOAD(position_old + pitch + first);
+    real new_x = x;
+    real new_y = y;
+    int children = 0;
+    //@ LOAD
+    {
+        //@ RULES
+        //@ MAPPINGS
+        const intv length = LOAD(lengths + first);
+        const int most = pelage_largest(length);
+        const intv self = (intv)(first) + AS_INTV(LANES);
+        const mask loose = TO_MASK(LOAD(fixed_old + first) == 0);
+        __global const int* restrict list = lists + (long)(first / 16) * capacity * 16 + first % 16;
+        intv count = 0;
+        for (int k = 0; k < most; ++k) {
+            const intv listed = (intv)(k) < length;
+            const intv other = SELECT(listed, LOAD(list + (long)k * 16), self);
+            const real dx = GATHER(position_old, other) - x;
+            const real dy = GATHER(position_old + pitch, other) - y;
+            const real square = dx * dx + dy * dy;
+#ifdef PELAGE_ALL_LISTED
+            const mask near = TO_MASK(listed);
+#else
+            const mask near = TO_MASK(listed) & (square < R(9));
+#endif
+            count += COUNT(near);
+            const real norm = sqrt(square);
+            //@ NEIGHBOUR
+            const mask overlap = near & loose & (R(0) < norm) & (norm < R(2));
+            if (ANY(overlap)) {
+                const real weight = R((scalar)0.25) - R((scalar)0.5) / norm;
+                new_x = SELECT(overlap, new_x + weight * dx, new_x);
+                new_y = SELECT(overlap, new_y + weight * dy, new_y);
+            }
+        }
+        STORE(count, neighbours_new + first);
+        //@ FINISH
+    }
+    new_x = SELECT(new_x < R(-half_width), R(-half_width), SELECT(new_x > R(half_width), R(half_width), new_x));
+    new_y = SELECT(new_y < R(-half_height), R(-half_height), SELECT(new_y > R(half_height), R(half_height), new_y));
+    STORE(new_x, position_new + first);
+    STORE(new_y, position_new + pitch + first);
+    const real way_x = new_x - LOAD(built + first);
+    const real way_y = new_y - LOAD(built + pitch + first);
+    scalar ways[PELAGE_WIDTH];
+    STORE(way_x * way_x + way_y * way_y, ways);
+    float way = 0;
+    for (int lane = 0; lane < PELAGE_WIDTH; ++lane) {
+        if (first + lane < n) way = fmax(way, (float)ways[lane]);
+    }
+    const int moved = as_int(way);
+    if (moved > progress[step].moved) atomic_max(&progress[step].moved, moved);
+    if (children > 0) atomic_add(&progress[step].children, children);
+}

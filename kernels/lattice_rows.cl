@@ -1,0 +1,50 @@
+// How a lattice lies in memory, and the boundary.
+//   PELAGE_NO_FLUX, PELAGE_WRAP or PELAGE_ABSORBING     what lies beyond the edge
+//
+// A plane holds one value for every cell: rows of `pitch` elements, of which the first `columns` are cells and the
+// others, at least 16, are 0. Before row 0 lies a row of zeros. So what an absorbing boundary reads is in memory.
+
+static inline int pelage_row_beyond(int row, int rows) {
+#if defined(PELAGE_WRAP)
+    return row < 0 ? rows - 1 : row >= rows ? 0 : row;
+#elif defined(PELAGE_NO_FLUX)
+    return row < 0 ? 0 : row >= rows ? rows - 1 : row;
+#else
+    return row >= rows ? -1 : row;
+#endif
+}
+
+// Elements from the plane's row 0 to the row that stands for `row`, which may lie one beyond the edge.
+#define ROW_AT(row) ((long)pelage_row_beyond(row, rows) * pitch)
+
+// Truth for the lane that holds that column.
+#define LANE_OF(column) TO_MASK((LANES + (uintv)(x)) == (uintv)((uint)(column)))
+
+// The cells beside those at x .. x + PELAGE_WIDTH - 1 of a row, on the left.
+static inline real pelage_left(global const scalar* row, int x, int columns) {
+    real v = LOAD(row + x - 1);
+#ifndef PELAGE_ABSORBING
+#ifdef PELAGE_WRAP
+    if (x == 0) v = SELECT(LANE_OF(0), R(row[columns - 1]), v);
+#else
+    if (x == 0) v = SELECT(LANE_OF(0), R(row[0]), v);
+#endif
+#endif
+    return v;
+}
+
+static inline real pelage_right(global const scalar* row, int x, int columns) {
+    real v = LOAD(row + x + 1);
+#ifndef PELAGE_ABSORBING
+#ifdef PELAGE_WRAP
+    if (x + PELAGE_WIDTH >= columns) v = SELECT(LANE_OF(columns - 1), R(row[0]), v);
+#else
+    if (x + PELAGE_WIDTH >= columns) v = SELECT(LANE_OF(columns - 1), R(row[columns - 1]), v);
+#endif
+#endif
+    return v;
+}
+
+static inline real pelage_side(global const scalar* row, int x, int columns, int side) {
+    return side < 0 ? pelage_left(row, x, columns) : side > 0 ? pelage_right(row, x, columns) : LOAD(row + x);
+}

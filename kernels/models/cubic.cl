@@ -1,0 +1,9 @@
+// Three roots, the outer ones drawing u on: f = (u - a) (u - b) (u - c).
+
+static inline real cubic_u(real n, real s, real dt, real u, real a, real b, real c) {
+#ifdef PELAGE_PUBLISHED
+    return n + ((((s * (u - a)) * (u - b)) * (u - c)) * dt);
+#else
+    return ADD_REACTION(n, s, ((u - a) * (u - b)) * (u - c), dt);
+#endif
+}

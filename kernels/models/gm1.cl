@@ -1,0 +1,9 @@
+// Gierer-Meinhardt activator-inhibitor: f = a - b u + u^2 / (v (1 + c u^2)), g = u^2 - v.
+
+static inline real gm1_u(real n, real s, real dt, real u, real v, real a, real b, real c) {
+    return ADD_REACTION(n, s, (a - b * u) + ((u * u) / (v * (R(1) + ((c * u) * u)))), dt);
+}
+
+static inline real gm1_v(real n, real s, real dt, real u, real v, real a, real b, real c) {
+    return ADD_REACTION(n, s, u * u - v, dt);
+}

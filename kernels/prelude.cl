@@ -1,0 +1,75 @@
+// Number types and masks for every kernel; comes first in every program.
+//   PELAGE_DOUBLE      scalar is double, else float
+//   PELAGE_FAST        the compiler may contract and reorder; equality with the reference is given up
+//   PELAGE_WIDTH       lanes of `real`: cells that one work-item handles side by side; default 1
+//   PELAGE_PUBLISHED   arithmetic of the published program, else ours with fma (see core/lattice.hpp)
+
+#ifdef PELAGE_FAST
+#pragma OPENCL FP_CONTRACT ON
+#else
+#pragma OPENCL FP_CONTRACT OFF
+#endif
+
+#ifdef PELAGE_DOUBLE
+#pragma OPENCL EXTENSION cl_khr_fp64 : enable
+#define PELAGE_SCALAR double
+#define PELAGE_LANE_MASK long
+#else
+#define PELAGE_SCALAR float
+#define PELAGE_LANE_MASK int
+#endif
+
+#ifndef PELAGE_WIDTH
+#define PELAGE_WIDTH 1
+#endif
+
+#define PELAGE_PASTE_(a, b) a##b
+#define PELAGE_PASTE(a, b) PELAGE_PASTE_(a, b)
+
+// real: one number a lane. mask: truth a lane, as comparisons of real give it; combine with & and |.
+typedef PELAGE_SCALAR scalar;
+#if PELAGE_WIDTH == 1
+typedef scalar real;
+typedef int mask;
+typedef uint uintv;
+typedef int intv;
+#define ALL_TRUE 1
+#define ANY(m) (m)
+#define LOAD(p) (*(p))
+#define STORE(v, p) (*(p) = (v))
+#define LANES ((uint)0)
+#define TO_REAL PELAGE_PASTE(convert_, PELAGE_SCALAR)
+#define TO_MASK(i) (i)
+#define TO_UINT(i) as_uint(i)
+#else
+typedef PELAGE_PASTE(PELAGE_SCALAR, PELAGE_WIDTH) real;
+typedef PELAGE_PASTE(PELAGE_LANE_MASK, PELAGE_WIDTH) mask;
+typedef PELAGE_PASTE(uint, PELAGE_WIDTH) uintv;
+typedef PELAGE_PASTE(int, PELAGE_WIDTH) intv;
+#define ALL_TRUE ((mask)(-1))
+#define ANY(m) any(m)
+#define LOAD(p) PELAGE_PASTE(vload, PELAGE_WIDTH)(0, p)
+#define STORE(v, p) PELAGE_PASTE(vstore, PELAGE_WIDTH)(v, 0, p)
+#define TO_REAL PELAGE_PASTE(PELAGE_PASTE(convert_, PELAGE_SCALAR), PELAGE_WIDTH)
+#define TO_MASK(i) PELAGE_PASTE(PELAGE_PASTE(convert_, PELAGE_LANE_MASK), PELAGE_WIDTH)(i)
+#define TO_UINT(i) PELAGE_PASTE(as_uint, PELAGE_WIDTH)(i)
+#if PELAGE_WIDTH == 2
+#define LANES ((uintv)(0, 1))
+#elif PELAGE_WIDTH == 4
+#define LANES ((uintv)(0, 1, 2, 3))
+#elif PELAGE_WIDTH == 8
+#define LANES ((uintv)(0, 1, 2, 3, 4, 5, 6, 7))
+#else
+#define LANES ((uintv)(0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15))
+#endif
+#endif
+#define ALL_FALSE ((mask)(0))
+
+// The same truth in every lane; b is a scalar.
+#define UNIFORM(b) ((b) ? ALL_TRUE : ALL_FALSE)
+
+// A number in every lane; x is a scalar.
+#define R(x) ((real)(x))
+
+// Per lane: where the mask holds a, else b.
+#define SELECT(m, a, b) ((m) ? (a) : (b))
