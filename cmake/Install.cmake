@@ -1,16 +1,24 @@
 # Installs the library, its public headers and the command, so that find_package(pelage) works.
 include(CMakePackageConfigHelpers)
+set(package_folder ${CMAKE_INSTALL_LIBDIR}/cmake/pelage)
+
 install(TARGETS pelage EXPORT pelage_targets ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR})
-install(EXPORT pelage_targets NAMESPACE pelage:: DESTINATION ${CMAKE_INSTALL_LIBDIR}/cmake/pelage)
-foreach(part core language io opencl)
-  install(DIRECTORY host/${part} DESTINATION include/pelage FILES_MATCHING PATTERN "*.hpp")
-endforeach()
-install(DIRECTORY reference DESTINATION include/pelage FILES_MATCHING PATTERN "*.hpp")
+install(EXPORT pelage_targets NAMESPACE pelage:: DESTINATION ${package_folder})
 if(TARGET pelage_command)
   install(TARGETS pelage_command RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR})
 endif()
+
+# Headers are included as "core/experiment.hpp", here and by users. Of the backends and the language only the doors
+# are public; what lies behind them may change.
+foreach(part core io)
+  install(DIRECTORY host/${part} DESTINATION include/pelage FILES_MATCHING PATTERN "*.hpp")
+endforeach()
+install(FILES host/language/parse.hpp DESTINATION include/pelage/language)
+install(FILES host/opencl/backend.hpp host/opencl/device.hpp DESTINATION include/pelage/opencl)
+install(FILES reference/backend.hpp reference/neighbours.hpp DESTINATION include/pelage/reference)
+
 configure_package_config_file(cmake/pelageConfig.cmake.in ${CMAKE_BINARY_DIR}/pelageConfig.cmake
-  INSTALL_DESTINATION ${CMAKE_INSTALL_LIBDIR}/cmake/pelage)
+  INSTALL_DESTINATION ${package_folder})
 write_basic_package_version_file(${CMAKE_BINARY_DIR}/pelageConfigVersion.cmake COMPATIBILITY SameMinorVersion)
 install(FILES ${CMAKE_BINARY_DIR}/pelageConfig.cmake ${CMAKE_BINARY_DIR}/pelageConfigVersion.cmake
-  DESTINATION ${CMAKE_INSTALL_LIBDIR}/cmake/pelage)
+  DESTINATION ${package_folder})

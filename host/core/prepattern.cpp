@@ -41,25 +41,90 @@ float PublishedRandom::deviate(float value, float deviation) {
 
 namespace {
 
-// Calls each(x, y) for the centre of every cell of a grid or circle, in order of creation. x and y are rounded to
-// float at the same places as in the published program.
+// x and y are rounded to float at the same places as in the published program.
+float spaced(float centre, std::int64_t i, std::int64_t count) {
+    return static_cast<float>(centre + (static_cast<double>(i) - static_cast<double>(count) / 2.0) * 2 + 1);
+}
+
+// The square of elements from which a sqr_circle or hex_circle is cut.
+class Circle {
+public:
+    struct Element {
+        float x, y;
+        bool right;  // not left of the centre
+        bool inside;
+    };
+
+    explicit Circle(const CreateGrid& grid)
+        : hex_(grid.arrangement == Arrangement::hex_circle),
+          n_(static_cast<std::int64_t>(grid.columns)),
+          x_(static_cast<float>(grid.x)),
+          y_(static_cast<float>(grid.y)) {}
+
+    std::int64_t begin() const { return hex_ ? -n_ : 0; }  // of rows and columns; both end at n
+    Element at(std::int64_t row, std::int64_t column) const { return hex_ ? hex(row, column) : square(row, column); }
+
+    // Elements inside, without visiting each: those of a row are one stretch, left and right of the centre.
+    std::size_t count() const {
+        std::int64_t cells = 0;
+        for (std::int64_t row = begin(); row < n_; ++row) {
+            const std::int64_t middle = first(begin(), n_, [&](std::int64_t i) { return at(row, i).right; });
+            cells += first(middle, n_, [&](std::int64_t i) { return !at(row, i).inside; });
+            cells -= first(begin(), middle, [&](std::int64_t i) { return at(row, i).inside; });
+        }
+        return static_cast<std::size_t>(cells);
+    }
+
+private:
+    Element square(std::int64_t row, std::int64_t column) const {
+        const double half = static_cast<double>(n_) / 2.0;
+        const double dy = static_cast<double>(row) - half + 0.5;
+        const double dx = static_cast<double>(column) - half + 0.5;
+        return {spaced(x_, column, n_), spaced(y_, row, n_), dx >= 0.0, dy * dy + dx * dx <= half * half};
+    }
+
+    Element hex(std::int64_t row, std::int64_t column) const {
+        const float radius2 = static_cast<float>(n_ * n_);
+        const float y = y_ + static_cast<float>(row) * 1.7321f;
+        float x = x_ + static_cast<float>(column * 2);
+        if (row % 2 != 0) x += 1.0f;
+        const float dx = x - x_;
+        const float dy = y - y_;
+        return {x, y, dx >= 0.0f, dx * dx + dy * dy <= radius2};
+    }
+
+    // The first i from `low` on for which `holds`, which stays true once it is; `high` when there is none.
+    template <class Holds>
+    static std::int64_t first(std::int64_t low, std::int64_t high, Holds holds) {
+        while (low < high) {
+            const std::int64_t middle = low + (high - low) / 2;
+            if (holds(middle))
+                high = middle;
+            else
+                low = middle + 1;
+        }
+        return low;
+    }
+
+    bool hex_;
+    std::int64_t n_;
+    float x_, y_;
+};
+
+// Calls each(x, y) for the centre of every cell of a grid or circle, in order of creation.
 template <class Each>
 void for_each_centre(const CreateGrid& grid, Each each) {
     const float centre_x = static_cast<float>(grid.x);
     const float centre_y = static_cast<float>(grid.y);
     const auto n = static_cast<std::int64_t>(grid.columns);
-    const auto spaced = [](float centre, std::int64_t i, std::int64_t count) {
-        return static_cast<float>(centre + (static_cast<double>(i) - static_cast<double>(count) / 2.0) * 2 + 1);
-    };
     switch (grid.arrangement) {
         case Arrangement::sqr_grid:
         case Arrangement::hex_grid: {
             const auto rows = static_cast<std::int64_t>(grid.rows);
             const bool hex = grid.arrangement == Arrangement::hex_grid;
             for (std::int64_t row = 0; row < rows; ++row) {
-                const double place = static_cast<double>(row) - static_cast<double>(rows) / 2.0;
-                const float y =
-                    hex ? static_cast<float>(centre_y + place * 1.7321 + 0.866) : spaced(centre_y, row, rows);
+                const float place = static_cast<float>(row) - static_cast<float>(rows) / 2.0f;
+                const float y = hex ? centre_y + place * 1.7321f + 0.866f : spaced(centre_y, row, rows);
                 for (std::int64_t column = 0; column < n; ++column) {
                     const float x = spaced(centre_x, column, n);
                     each(hex && row % 2 != 0 ? x + 1.0f : x, y);
@@ -67,28 +132,13 @@ void for_each_centre(const CreateGrid& grid, Each each) {
             }
             break;
         }
-        case Arrangement::sqr_circle: {
-            const double half = static_cast<double>(n) / 2.0;
-            for (std::int64_t row = 0; row < n; ++row) {
-                const double dy = static_cast<double>(row) - half + 0.5;
-                for (std::int64_t column = 0; column < n; ++column) {
-                    const double dx = static_cast<double>(column) - half + 0.5;
-                    if (dy * dy + dx * dx > half * half) continue;
-                    each(spaced(centre_x, column, n), spaced(centre_y, row, n));
-                }
-            }
-            break;
-        }
+        case Arrangement::sqr_circle:
         case Arrangement::hex_circle: {
-            const float radius2 = static_cast<float>(n * n);
-            for (std::int64_t row = -n; row < n; ++row) {
-                const float y = static_cast<float>(centre_y + static_cast<double>(row) * 1.7321);
-                for (std::int64_t column = -n; column < n; ++column) {
-                    float x = centre_x + static_cast<float>(column * 2);
-                    if (row % 2 != 0) x += 1.0f;
-                    const float dx = x - centre_x;
-                    const float dy = y - centre_y;
-                    if (dx * dx + dy * dy <= radius2) each(x, y);
+            const Circle circle(grid);
+            for (std::int64_t row = circle.begin(); row < n; ++row) {
+                for (std::int64_t column = circle.begin(); column < n; ++column) {
+                    const Circle::Element element = circle.at(row, column);
+                    if (element.inside) each(element.x, element.y);
                 }
             }
             break;
@@ -284,9 +334,7 @@ struct Counter {
     std::size_t operator()(const CreateGrid& grid) const {
         const bool circle = grid.arrangement == Arrangement::sqr_circle || grid.arrangement == Arrangement::hex_circle;
         if (!circle) return grid.columns * grid.rows;
-        std::size_t cells = 0;
-        for_each_centre(grid, [&](float, float) { ++cells; });
-        return cells;
+        return Circle(grid).count();
     }
     std::size_t operator()(const CreateShape& shape) const {
         std::size_t cells = 0;

@@ -13,9 +13,15 @@ namespace pelage {
 
 namespace {
 
+bool has_matrix(const Experiment& experiment) {
+    return std::any_of(experiment.prepattern.begin(), experiment.prepattern.end(),
+                       [](const Statement& statement) { return std::holds_alternative<CreateMatrix>(statement); });
+}
+
 class Checker {
 public:
-    explicit Checker(const Experiment& experiment) : experiment_(experiment), lattice_(is_lattice(experiment)) {}
+    explicit Checker(const Experiment& experiment)
+        : experiment_(experiment), lattice_(is_lattice(experiment)), matrix_(has_matrix(experiment)) {}
 
     void check() {
         check_names();
@@ -177,9 +183,7 @@ private:
     void check_action(const Rule&, const Move& move) const { check_operand(move.distance); }
     void check_action(const Rule&, const And&) const {}
     void check_action(const Rule& rule, const Expand& expand) const {
-        const bool matrix = std::any_of(experiment_.prepattern.begin(), experiment_.prepattern.end(),
-                                        [](const auto& s) { return std::holds_alternative<CreateMatrix>(s); });
-        if (!matrix) fail("`expand` needs a matrix; `create matrix COLUMNS ROWS`");
+        if (!matrix_) fail("`expand` needs a matrix; `create matrix COLUMNS ROWS`");
         if (!std::holds_alternative<Always>(rule.condition)) fail("an `expand` rule takes the condition `always`");
         if (expand.columns + expand.rows == 0) fail("an `expand` rule inserts no columns and no rows");
         if (expand.columns > 1000 || expand.rows > 1000)
@@ -194,6 +198,7 @@ private:
 
     const Experiment& experiment_;
     bool lattice_;
+    bool matrix_;
     std::size_t line_ = 0;
 };
 

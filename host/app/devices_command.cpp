@@ -1,0 +1,104 @@
+// `pelage devices`: the OpenCL devices of this machine, and what each can do.
+#include "app/commands.hpp"
+#include "app/memory.hpp"
+#include "app/prepare.hpp"
+#include "io/atomic_file.hpp"
+#include "opencl/device.hpp"
+
+#include <CLI/Config.hpp>
+#include <CLI/Formatter.hpp>
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+#include <algorithm>
+#include <array>
+#include <filesystem>
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace pelage::app {
+
+namespace {
+
+constexpr std::size_t column_count = 9;
+using Line = std::array<std::string, column_count>;
+
+Line heading() {
+    return {"INDEX", "PLATFORM", "DEVICE", "VERSION", "DRIVER", "MEMORY", "FP64", "EXACT DIVISION", "USABLE"};
+}
+
+std::string yes_no(bool yes) { return yes ? "yes" : "no"; }
+
+Line line_of(const DeviceInfo& device) {
+    return {std::to_string(device.index),
+            device.platform,
+            fmt::format("{} ({})", device.name, device.type),
+            device.version,
+            device.driver,
+            readable_bytes(static_cast<double>(device.memory)),
+            yes_no(device.fp64),
+            yes_no(device.correctly_rounded_divide_sqrt),
+            device.unusable.empty() ? "yes" : "no: " + device.unusable};
+}
+
+void print_table(const std::vector<DeviceInfo>& devices) {
+    std::vector<Line> lines{heading()};
+    for (const DeviceInfo& device : devices) lines.push_back(line_of(device));
+    std::array<std::size_t, column_count> widths{};
+    for (const Line& line : lines) {
+        for (std::size_t i = 0; i < column_count; ++i) widths[i] = std::max(widths[i], line[i].size());
+    }
+    for (const Line& line : lines) {
+        std::string text;
+        for (std::size_t i = 0; i + 1 < column_count; ++i) text += fmt::format("{:<{}}  ", line[i], widths[i]);
+        fmt::print("{}{}\n", text, line.back());
+    }
+}
+
+nlohmann::ordered_json json_of(const std::vector<DeviceInfo>& devices) {
+    nlohmann::ordered_json list = nlohmann::ordered_json::array();
+    for (const DeviceInfo& device : devices) {
+        list.push_back({{"index", device.index},
+                        {"platform", device.platform},
+                        {"platform_version", device.platform_version},
+                        {"device", device.name},
+                        {"vendor", device.vendor},
+                        {"type", device.type},
+                        {"version", device.version},
+                        {"driver", device.driver},
+                        {"memory", device.memory},
+                        {"compute_units", device.compute_units},
+                        {"fp64", device.fp64},
+                        {"correctly_rounded_division", device.correctly_rounded_divide_sqrt},
+                        {"usable", device.unusable.empty()},
+                        {"reason", device.unusable}});
+    }
+    return {{"devices", list}};
+}
+
+int list(const std::filesystem::path& json) {
+    const std::vector<DeviceInfo> devices = list_devices();
+    if (devices.empty()) {
+        fmt::print("No OpenCL device is there: experiments run on the reference. pocl-opencl-icd makes one of the CPU.\n");
+    } else {
+        print_table(devices);
+    }
+    if (!json.empty()) {
+        prepare_json(json);
+        const auto replace = nlohmann::ordered_json::error_handler_t::replace;  // a driver may not speak UTF-8
+        write_file(json, json_of(devices).dump(2, ' ', false, replace) + "\n");
+    }
+    return success;
+}
+
+}  // namespace
+
+void add_devices(CLI::App& app, int& exit_code) {
+    const auto json = std::make_shared<std::filesystem::path>();
+    CLI::App* command = app.add_subcommand("devices", "List the OpenCL devices, and why one cannot be used");
+    command->add_option("--json", *json, "Write the list to this file too");
+    command->callback([json, &exit_code] { exit_code = list(*json); });
+}
+
+}  // namespace pelage::app

@@ -1,0 +1,17 @@
+// Ctrl-C: remembers that SIGINT or SIGTERM came, so that a run can stop between two batches.
+#pragma once
+
+namespace pelage::app {
+
+// While one lives, the first signal only sets a mark; a second one of the same kind ends the process as usual.
+class Interrupt {
+public:
+    Interrupt();
+    ~Interrupt();
+    Interrupt(const Interrupt&) = delete;
+    Interrupt& operator=(const Interrupt&) = delete;
+
+    static bool came();
+};
+
+}  // namespace pelage::app

@@ -1,0 +1,67 @@
+// See machine.hpp.
+#include "app/machine.hpp"
+
+#include "core/error.hpp"
+#include "opencl/backend.hpp"
+#include "reference/backend.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <fstream>
+
+namespace pelage::app {
+
+namespace {
+
+std::string processor_name() {
+    std::ifstream file("/proc/cpuinfo");
+    for (std::string line; std::getline(file, line);) {
+        const auto colon = line.find(": ");
+        if (line.rfind("model name", 0) == 0 && colon != std::string::npos) return line.substr(colon + 2);
+    }
+    return "cpu";
+}
+
+Machine on_reference(const RunOptions& options, const Experiment& experiment) {
+    if (!options.device.empty()) throw Error("--device chooses an OpenCL device; it goes with --backend opencl");
+    if (options.fast) throw Error("--fast changes only how OpenCL computes; it goes with --backend opencl");
+    Machine machine{reference_backend(options.precision), "reference", {}, processor_name(), __VERSION__, "C++",
+                    "-ffp-contract=off"};
+    const std::string reason = machine.backend->why_not(experiment);
+    if (!reason.empty()) throw Error(fmt::format("the reference cannot run this experiment: {}", reason));
+    return machine;
+}
+
+Machine on_opencl(const RunOptions& options, const Experiment& experiment, const Footprint& footprint) {
+    OpenclOptions wanted;
+    if (!options.device.empty()) wanted.device = options.device;
+    wanted.precision = options.precision;
+    wanted.use_cache = !options.no_cache;
+    wanted.fast = options.fast;
+    std::unique_ptr<OpenclBackend> backend = opencl_backend(wanted);
+    const DeviceInfo device = backend->device();
+    std::string reason = backend->why_not(experiment);
+    if (reason.empty()) reason = why_not_on_device(footprint, static_cast<double>(device.memory));
+    if (!reason.empty()) throw Error(fmt::format("device '{}' cannot run this experiment: {}", device.name, reason));
+    std::string build_options = backend->build_options();
+    return {std::move(backend), "opencl", {}, device.name, device.driver, device.platform, std::move(build_options)};
+}
+
+}  // namespace
+
+Machine choose_machine(const RunOptions& options, const Experiment& experiment, const Footprint& footprint) {
+    if (options.backend == "reference") return on_reference(options, experiment);
+    if (options.backend == "opencl" || !options.device.empty() || options.fast) {
+        return on_opencl(options, experiment, footprint);
+    }
+    try {
+        return on_opencl(options, experiment, footprint);
+    } catch (const Error& error) {
+        Machine machine = on_reference(options, experiment);
+        machine.why = error.what();
+        return machine;
+    }
+}
+
+}  // namespace pelage::app

@@ -1,0 +1,106 @@
+// See prepare.hpp.
+#include "app/prepare.hpp"
+
+#include "core/error.hpp"
+#include "core/stability.hpp"
+#include "io/checkpoint.hpp"
+#include "language/parse.hpp"
+
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <chrono>
+#include <fstream>
+#include <system_error>
+#include <variant>
+
+namespace pelage::app {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+bool seeded_by_clock(const Experiment& experiment) {
+    if (experiment.seed) return *experiment.seed == 0;
+    return std::any_of(experiment.prepattern.begin(), experiment.prepattern.end(), [](const Statement& statement) {
+        const auto* use = std::get_if<UseSeed>(&statement);
+        return use != nullptr && use->seed == 0;
+    });
+}
+
+// One number stands for the clock everywhere, so that --seed with it repeats the run.
+void settle_seed(Experiment& experiment, const std::optional<Checkpoint>& checkpoint) {
+    if (!seeded_by_clock(experiment)) return;
+    const auto now = std::chrono::system_clock::now().time_since_epoch();
+    experiment.seed = checkpoint ? checkpoint->info.seed
+                                 : std::chrono::duration_cast<std::chrono::seconds>(now).count();
+}
+
+void compare(const Checkpoint& checkpoint, const Experiment& experiment, const RunOptions& options, std::uint64_t last) {
+    const std::string name = options.resume.string();
+    if (checkpoint.info.experiment != experiment.text) {
+        throw Error(fmt::format("{} was saved by another experiment ({}) than {}, or that was edited since", name,
+                                checkpoint.info.source, experiment.source));
+    }
+    if (checkpoint.info.precision != options.precision) {
+        const bool is_double = checkpoint.info.precision == Precision::double_;
+        throw Error(fmt::format("{} was saved with --precision {}; resume it with the same", name,
+                                is_double ? "double" : "float"));
+    }
+    if (checkpoint.info.seed != experiment.run_seed()) {
+        throw Error(fmt::format("{} was saved with seed {}, this run has {}; resume it with --seed {}", name,
+                                checkpoint.info.seed, experiment.run_seed(), checkpoint.info.seed));
+    }
+    if (checkpoint.snapshot.iteration > last) {
+        throw Error(fmt::format("{} is at iteration {}, past the end of this run at {}; --iterations can move the end",
+                                name, checkpoint.snapshot.iteration, last));
+    }
+}
+
+}  // namespace
+
+Prepared prepare(const RunOptions& options) {
+    Prepared prepared;
+    std::optional<Checkpoint> checkpoint;
+    if (!options.resume.empty()) checkpoint = read_checkpoint(options.resume);
+    Experiment& experiment = prepared.experiment;
+    experiment = parse_experiment_file(options.file);
+    if (options.seed) experiment.seed = options.seed;
+    settle_seed(experiment, checkpoint);
+    prepared.last = options.iterations.value_or(experiment.last_iteration());
+    if (checkpoint) {
+        compare(*checkpoint, experiment, options, prepared.last);
+        prepared.resumed = std::move(checkpoint->snapshot);
+    }
+    return prepared;
+}
+
+void check_stability(const Experiment& experiment, const Snapshot& initial) {
+    const std::optional<Instability> found = find_instability(experiment, initial);
+    if (!found) return;
+    const std::string where = found->phase.empty() ? "" : fmt::format(" in phase '{}'", found->phase);
+    throw Error(fmt::format("{}: chemical '{}' diffuses unstably{}: with rate {} the time step may be {:.6g} at most, it "
+                            "is {}; lower `define time_step` or the rate, or go on with --force",
+                            experiment.source, found->chemical, where, found->rate, found->largest_time_step,
+                            found->time_step));
+}
+
+void prepare_folder(const fs::path& folder) {
+    std::error_code failure;
+    fs::create_directories(folder, failure);
+    if (failure) throw Error(fmt::format("folder {} cannot be made: {}", folder.string(), failure.message()));
+    if (!fs::is_directory(folder)) throw Error(fmt::format("{} is not a folder", folder.string()));
+    const fs::path probe = folder / fmt::format(".probe-{}", getpid());
+    const bool writable = std::ofstream(probe).put('\n').flush().good();
+    fs::remove(probe, failure);
+    if (!writable) throw Error(fmt::format("folder {} cannot be written to", folder.string()));
+}
+
+void prepare_json(const fs::path& file) {
+    if (file.empty() || (fs::exists(file) && fs::is_other(file))) return;  // a device or pipe needs no folder
+    if (fs::is_directory(file)) throw Error(fmt::format("--json {} is a folder; name a file", file.string()));
+    prepare_folder(fs::absolute(file).parent_path());
+}
+
+}  // namespace pelage::app

@@ -1,0 +1,32 @@
+// From the command line to an experiment that is ready to run.
+#pragma once
+
+#include "app/run_options.hpp"
+#include "core/experiment.hpp"
+#include "core/snapshot.hpp"
+
+#include <cstdint>
+#include <optional>
+
+namespace pelage::app {
+
+struct Prepared {
+    Experiment experiment;  // with --seed; a seed taken from the clock is written into it
+    std::uint64_t last = 0;  // where the run ends
+    std::optional<Snapshot> resumed;
+};
+
+// Throws Error when the file is wrong, or when a checkpoint belongs to another experiment, precision or seed, or lies
+// past the end of the run.
+Prepared prepare(const RunOptions&);
+
+// Throws Error naming phase, chemical, rate and the largest time step that holds.
+void check_stability(const Experiment&, const Snapshot& initial);
+
+// Makes the folder and tries whether files can be written there. Throws Error when not.
+void prepare_folder(const std::filesystem::path&);
+
+// The same for the folder of --json; an empty path and a device are fine.
+void prepare_json(const std::filesystem::path& file);
+
+}  // namespace pelage::app

@@ -1,0 +1,99 @@
+// See progress.hpp.
+#include "app/progress.hpp"
+
+#include <fmt/format.h>
+#include <sys/ioctl.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+
+namespace pelage::app {
+
+namespace {
+
+constexpr std::chrono::milliseconds bar_pause{100};
+constexpr std::chrono::seconds log_pause{10};
+
+std::size_t terminal_width() {
+    winsize size{};
+    if (ioctl(STDERR_FILENO, TIOCGWINSZ, &size) != 0 || size.ws_col == 0) return 80;
+    return size.ws_col;
+}
+
+}  // namespace
+
+std::string megas(double updates_per_second) {
+    const double value = updates_per_second / 1e6;
+    if (value >= 100) return fmt::format("{:.0f}", value);
+    return value >= 10 ? fmt::format("{:.1f}", value) : fmt::format("{:.2g}", value);
+}
+
+std::string clock_time(double seconds) {
+    if (!std::isfinite(seconds) || seconds > 1e9) return "?";
+    const auto whole = static_cast<std::uint64_t>(std::ceil(std::max(seconds, 0.0)));
+    const auto minutes = whole / 60;
+    if (minutes < 60) return fmt::format("{}:{:02}", minutes, whole % 60);
+    return fmt::format("{}:{:02}:{:02}", minutes / 60, minutes % 60, whole % 60);
+}
+
+std::string grouped(std::uint64_t number) {
+    const std::string digits = std::to_string(number);
+    std::string text;
+    for (std::size_t i = 0; i < digits.size(); ++i) {
+        if (i > 0 && (digits.size() - i) % 3 == 0) text += ',';
+        text += digits[i];
+    }
+    return text;
+}
+
+std::string progress_line(const std::string& phase, std::uint64_t iteration, std::uint64_t last, double seconds_left,
+                          double updates_per_second, std::size_t width) {
+    const double part = last == 0 ? 1.0 : static_cast<double>(iteration) / static_cast<double>(last);
+    const std::string name = phase.empty() ? "" : phase + "  ";
+    const std::string text = fmt::format("{}/{}  {:.0f}%  ETA {}  {} M updates/s", grouped(iteration), grouped(last),
+                                         std::floor(100 * part), clock_time(seconds_left), megas(updates_per_second));
+    constexpr std::size_t smallest_bar = 12;
+    std::string bar;
+    if (width > name.size() + text.size() + smallest_bar) {
+        const std::size_t inside = std::min<std::size_t>(width - name.size() - text.size() - 5, 40);
+        const auto done = static_cast<std::size_t>(part * static_cast<double>(inside));
+        bar = fmt::format("[{}{}]  ", std::string(done, '#'), std::string(inside - done, '-'));
+    }
+    std::string line = name + bar + text;
+    if (width != 0 && line.size() >= width) line.resize(width - 1);
+    return line;
+}
+
+Progress::Style Progress::fitting_style(bool quiet) {
+    if (quiet) return Style::silent;
+    return isatty(STDERR_FILENO) != 0 ? Style::bar : Style::log;
+}
+
+Progress::Progress(Style style, std::uint64_t first, std::uint64_t last) : style_(style), first_(first), last_(last) {}
+
+void Progress::show(const std::string& phase, std::uint64_t iteration, double updates) {
+    if (style_ == Style::silent) return;
+    const auto now = Clock::now();
+    const bool bar = style_ == Style::bar;
+    if (now - shown_ < (bar ? std::chrono::nanoseconds(bar_pause) : std::chrono::nanoseconds(log_pause))) return;
+
+    shown_ = now;
+    const double seconds = std::chrono::duration<double>(now - start_).count();
+    const auto done = static_cast<double>(iteration - first_);
+    const double left = done > 0 ? seconds * static_cast<double>(last_ - iteration) / done : INFINITY;
+    const std::string line = progress_line(phase, iteration, last_, left, updates / seconds, bar ? terminal_width() : 0);
+    fmt::print(stderr, "{}{}{}", bar ? "\r\x1b[K" : "", line, bar ? "" : "\n");
+    std::fflush(stderr);
+    drawn_ = bar;
+}
+
+void Progress::clear() {
+    if (!drawn_) return;
+    std::fputs("\r\x1b[K", stderr);
+    std::fflush(stderr);
+    drawn_ = false;
+}
+
+}  // namespace pelage::app

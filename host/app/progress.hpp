@@ -1,0 +1,51 @@
+// How far a run has come: a bar on a terminal, a line now and then in a log. Speaks on standard error.
+#pragma once
+
+#include <chrono>
+#include <cstddef>
+#include <cstdint>
+#include <string>
+
+namespace pelage::app {
+
+// "812", "5.2", "0.031": million cell-updates a second, three digits.
+std::string megas(double updates_per_second);
+
+// "0:42", "12:05", "3:07:00".
+std::string clock_time(double seconds);
+
+// 242000 -> "242,000".
+std::string grouped(std::uint64_t);
+
+class Progress {
+public:
+    enum class Style { silent, log, bar };
+
+    // bar when standard error is a terminal, silent when told so.
+    static Style fitting_style(bool quiet);
+
+    Progress(Style, std::uint64_t first, std::uint64_t last);
+    ~Progress() { clear(); }
+    Progress(const Progress&) = delete;
+    Progress& operator=(const Progress&) = delete;
+
+    // `updates`: cell updates since the start; shown at most ten times a second (bar) or every ten seconds (log).
+    void show(const std::string& phase, std::uint64_t iteration, double updates);
+    void clear();  // takes the bar away, so that other text can be printed
+
+private:
+    using Clock = std::chrono::steady_clock;
+
+    Style style_;
+    std::uint64_t first_;
+    std::uint64_t last_;
+    Clock::time_point start_ = Clock::now();
+    Clock::time_point shown_ = start_;
+    bool drawn_ = false;
+};
+
+// One line of progress, at most `width` characters; 0: no bar, for a log.
+std::string progress_line(const std::string& phase, std::uint64_t iteration, std::uint64_t last, double seconds_left,
+                          double updates_per_second, std::size_t width);
+
+}  // namespace pelage::app

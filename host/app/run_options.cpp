@@ -1,0 +1,50 @@
+// See run_options.hpp.
+#include "app/run_options.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <cctype>
+
+namespace pelage::app {
+
+std::filesystem::path RunOptions::folder() const {
+    return out.empty() ? std::filesystem::path("out") / file.stem() : out;
+}
+
+std::string shell_quoted(const std::string& word) {
+    const auto plain = [](unsigned char c) {
+        return std::isalnum(c) != 0 || std::string("_-./=:,+@%").find(static_cast<char>(c)) != std::string::npos;
+    };
+    if (!word.empty() && std::all_of(word.begin(), word.end(), plain)) return word;
+    std::string quoted = "'";
+    for (const char c : word) quoted += c == '\'' ? std::string("'\\''") : std::string(1, c);
+    return quoted + "'";
+}
+
+std::string resume_command(const RunOptions& options, const std::filesystem::path& checkpoint, std::int64_t seed) {
+    std::vector<std::string> words{options.command, "run", options.file.string()};
+    const auto add = [&](const char* option, const std::string& value) {
+        if (!value.empty()) words.insert(words.end(), {option, value});
+    };
+    add("--backend", options.backend);
+    add("--device", options.device);
+    add("--precision", options.precision == Precision::double_ ? "double" : "");
+    if (options.iterations) add("--iterations", std::to_string(*options.iterations));
+    add("--seed", std::to_string(seed));
+    add("--out", options.folder().string());
+    add("--format", fmt::format("{}", fmt::join(options.formats, ",")));
+    if (options.snap_every != 0) add("--snap-every", std::to_string(options.snap_every));
+    if (options.checkpoint_every != 0) add("--checkpoint-every", std::to_string(options.checkpoint_every));
+    add("--json", options.json.string());
+    for (const auto& [set, option] : {std::pair(options.quiet, "--quiet"), std::pair(options.fast, "--fast"),
+                                      std::pair(options.no_cache, "--no-cache"), std::pair(options.force, "--force")}) {
+        if (set) words.emplace_back(option);
+    }
+    add("--resume", checkpoint.string());
+    std::transform(words.begin(), words.end(), words.begin(), shell_quoted);
+    return fmt::format("{}", fmt::join(words, " "));
+}
+
+}  // namespace pelage::app

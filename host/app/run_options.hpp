@@ -1,0 +1,42 @@
+// What the command line of `pelage run` asks for.
+#pragma once
+
+#include "core/tissue.hpp"
+
+#include <cstdint>
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace pelage::app {
+
+struct RunOptions {
+    std::string command = "pelage";  // as the user called it
+    std::filesystem::path file;
+    std::string backend;  // "reference", "opencl", or empty: opencl where a device is usable
+    std::string device;   // index in `pelage devices` or part of a name; empty: the first usable one
+    Precision precision = Precision::single_;
+    std::optional<std::uint64_t> iterations;
+    std::optional<std::int64_t> seed;
+    std::filesystem::path out;  // empty: out/STEM of the file
+    std::vector<std::string> formats{"exr", "png"};
+    std::uint64_t snap_every = 0;        // 0: only as the experiment says
+    std::uint64_t checkpoint_every = 0;  // 0: only when interrupted
+    std::filesystem::path resume;        // empty: from the start
+    std::filesystem::path json;          // empty: only DIR/manifest.json
+    bool quiet = false;
+    bool fast = false;
+    bool no_cache = false;
+    bool force = false;
+
+    std::filesystem::path folder() const;  // `out`, or its default
+};
+
+// The command that goes on from `checkpoint` with the same options, quoted for a POSIX shell.
+std::string resume_command(const RunOptions&, const std::filesystem::path& checkpoint, std::int64_t seed);
+
+// One word of a POSIX shell.
+std::string shell_quoted(const std::string&);
+
+}  // namespace pelage::app

@@ -1,0 +1,180 @@
+// See runner.hpp.
+#include "app/runner.hpp"
+
+#include "app/commands.hpp"
+#include "app/finite_guard.hpp"
+#include "app/interrupt.hpp"
+#include "app/machine.hpp"
+#include "app/memory.hpp"
+#include "app/prepare.hpp"
+#include "app/progress.hpp"
+#include "app/recorder.hpp"
+#include "app/timetable.hpp"
+#include "core/error.hpp"
+#include "core/prepattern.hpp"
+
+#include <fmt/format.h>
+
+#include <chrono>
+#include <cstdio>
+
+namespace pelage::app {
+
+namespace {
+
+Timetable timetable(const RunOptions& options, const Prepared& prepared) {
+    return {prepared.last, prepared.experiment.snap_at, options.snap_every, options.checkpoint_every};
+}
+
+class Run {
+public:
+    Run(const RunOptions& options, const Prepared& prepared, const Machine& machine, Tissue& tissue)
+        : options_(options),
+          experiment_(prepared.experiment),
+          tissue_(tissue),
+          guard_(tissue),
+          times_(timetable(options, prepared)),
+          recorder_(options, prepared.experiment, machine),
+          progress_(Progress::fitting_style(options.quiet), tissue.iteration(), prepared.last) {
+        tally_.started_at = tissue.iteration();
+    }
+
+    int carry_out() {
+        const Interrupt interrupt;
+        if (const auto breakdown = guard_.look()) return stop_broken(*breakdown);
+        if (tissue_.iteration() == 0) write_due(0);
+        while (tissue_.iteration() < times_.last) {
+            if (Interrupt::came()) return stop_interrupted();
+            if (const auto breakdown = batch()) return stop_broken(*breakdown);
+            write_due(tissue_.iteration());
+        }
+        return finish();
+    }
+
+private:
+    template <class... Words>
+    void say(fmt::format_string<Words...> format, Words&&... words) {
+        if (options_.quiet) return;
+        progress_.clear();
+        fmt::print(stderr, format, std::forward<Words>(words)...);
+    }
+
+    std::optional<Breakdown> batch() {
+        using Clock = std::chrono::steady_clock;
+        const std::uint64_t first = tissue_.iteration();
+        const std::uint64_t count = std::min(size_.iterations(), times_.next_stop(first) - first);
+        const auto cells_before = static_cast<double>(tissue_.cells());
+        const auto start = Clock::now();
+        tissue_.advance(count);
+        const auto breakdown = guard_.look();  // waits for the device
+        const double seconds = std::chrono::duration<double>(Clock::now() - start).count();
+        size_.took(count, seconds);
+        tally_.seconds += seconds;
+        tally_.updates += static_cast<double>(count) * (cells_before + static_cast<double>(tissue_.cells())) / 2;
+        progress_.show(experiment_.phase_at(first).name, tissue_.iteration(), tally_.updates);
+        return breakdown;
+    }
+
+    void write_due(std::uint64_t iteration) {
+        const bool snapshot = times_.snapshot_at(iteration);
+        const bool checkpoint = times_.checkpoint_at(iteration) && iteration < times_.last;
+        if (!snapshot && !checkpoint) return;
+        const Snapshot state = tissue_.read();
+        guarded(state, [&] {
+            if (snapshot) recorder_.snapshot(state);
+            if (checkpoint) recorder_.checkpoint(state);
+        });
+    }
+
+    // When results cannot be written the run itself need not be lost.
+    template <class Write>
+    void guarded(const Snapshot& state, Write write) {
+        try {
+            write();
+        } catch (const Error& error) {
+            progress_.clear();
+            if (tissue_.iteration() == tally_.started_at) throw;
+            std::filesystem::path saved;
+            try {
+                saved = recorder_.checkpoint(state);
+            } catch (const Error&) {
+                throw Error(fmt::format("{}; the state at iteration {} could not be saved either", error.what(),
+                                        state.iteration));
+            }
+            throw Error(fmt::format("{}; the state at iteration {} is safe, go on with:\n  {}", error.what(),
+                                    state.iteration, resume_command(options_, saved, experiment_.run_seed())));
+        }
+    }
+
+    int finish() {
+        progress_.clear();
+        const Snapshot state = tissue_.read();
+        guarded(state, [&] {
+            recorder_.results(state);
+            recorder_.manifest(state, tally_, "finished");
+        });
+        say("{} iterations of {} cells in {:.3g} s: {} million cell-updates a second\n",
+            grouped(state.iteration - tally_.started_at), grouped(state.cells()), tally_.seconds,
+            megas(tally_.updates_per_second()));
+        if (!options_.quiet) fmt::print("Results are in {}\n", recorder_.folder().string());
+        return success;
+    }
+
+    int stop_interrupted() {
+        progress_.clear();
+        const Snapshot state = tissue_.read();
+        const std::filesystem::path saved = recorder_.checkpoint(state);
+        recorder_.manifest(state, tally_, "interrupted");
+        fmt::print(stderr, "pelage: stopped at iteration {}; go on with:\n  {}\n", state.iteration,
+                   resume_command(options_, saved, experiment_.run_seed()));
+        return interrupted;
+    }
+
+    int stop_broken(const Breakdown& breakdown) {
+        progress_.clear();
+        const Snapshot state = tissue_.read();
+        const std::filesystem::path saved = recorder_.dump(state);
+        recorder_.manifest(state, tally_, "non-finite");
+        fmt::print(stderr, "pelage: {}: {}; the state is in {}\n", experiment_.source, describe(breakdown, tissue_),
+                   saved.string());
+        return failed_check;
+    }
+
+    const RunOptions& options_;
+    const Experiment& experiment_;
+    Tissue& tissue_;
+    FiniteGuard guard_;
+    Timetable times_;
+    BatchSize size_;
+    Recorder recorder_;
+    Progress progress_;
+    Tally tally_;
+};
+
+void announce(const RunOptions& options, const Prepared& prepared, const Machine& machine, const Tissue& tissue) {
+    if (options.quiet) return;
+    fmt::print(stderr, "{}: {} cells, iterations {} to {}, seed {}\n", prepared.experiment.source,
+               grouped(tissue.cells()), grouped(tissue.iteration()), grouped(prepared.last), prepared.experiment.run_seed());
+    fmt::print(stderr, "backend: {} ({}), {}\n", machine.kind, machine.device,
+               options.precision == Precision::double_ ? "double" : "float");
+    if (!machine.why.empty()) fmt::print(stderr, "not opencl: {}\n", machine.why);
+}
+
+}  // namespace
+
+int run_experiment(const RunOptions& options) {
+    const Prepared prepared = prepare(options);
+    const Footprint needed = footprint(prepared.experiment, prepared.last, options.precision);
+    check_host_memory(prepared.experiment, needed, host_memory());
+    const Machine machine = choose_machine(options, prepared.experiment, needed);
+    const Snapshot initial = initial_state(prepared.experiment);
+    if (!options.force) check_stability(prepared.experiment, initial);
+    prepare_folder(options.folder());
+    prepare_json(options.json);
+    const std::unique_ptr<Tissue> tissue = machine.backend->make_tissue(prepared.experiment, initial);
+    if (prepared.resumed) tissue->write(*prepared.resumed);
+    announce(options, prepared, machine, *tissue);
+    return Run(options, prepared, machine, *tissue).carry_out();
+}
+
+}  // namespace pelage::app

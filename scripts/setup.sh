@@ -1,0 +1,59 @@
+# Sourced by scripts/run and scripts/test: installs what is missing, configures by preset and builds.
+# Expects `root`, the folder of the sources; sets `build`.
+# shellcheck shell=sh disable=SC2154
+
+build=$root/build/release
+
+# Names of the packages in scripts/packages that are not installed, on one line.
+missing_packages() {
+    wanted=$(grep -v '^#' "$root/scripts/packages")
+    # shellcheck disable=SC2086  # one word a package
+    installed=$(dpkg-query -W -f='${Package} ${db:Status-Status}\n' $wanted 2>/dev/null |
+        sed -n 's/ installed$//p') || true
+    missing=
+    for package in $wanted; do
+        printf '%s\n' "$installed" | grep -Fqx -e "$package" || missing="$missing $package"
+    done
+    printf '%s\n' "${missing# }"
+}
+
+# apt_get PREFIX... -- PACKAGE...: PREFIX is what lends the rights: nothing, or sudo.
+install_packages() {
+    prefix=$1
+    shift
+    $prefix env DEBIAN_FRONTEND=noninteractive apt-get -q -o DPkg::Lock::Timeout=300 update &&
+        $prefix env DEBIAN_FRONTEND=noninteractive \
+            apt-get -q -y --no-install-recommends -o DPkg::Lock::Timeout=300 install "$@"
+}
+
+set_up_packages() {
+    if ! command -v dpkg-query >/dev/null 2>&1; then
+        echo "This is not Debian: the libraries that scripts/packages names must be there already." >&2
+        return 0
+    fi
+    missing=$(missing_packages)
+    [ -n "$missing" ] || return 0
+
+    echo "Installing what is missing: $missing" >&2
+    # shellcheck disable=SC2086
+    if [ "$(id -u)" = 0 ]; then
+        install_packages '' $missing >&2 </dev/null && return 0
+    elif command -v sudo >/dev/null 2>&1 && { [ -t 0 ] || sudo -n true 2>/dev/null; }; then
+        install_packages sudo $missing >&2 && return 0
+    fi
+    echo "These packages could not be installed from here. As root, type:" >&2
+    echo "    apt-get update && apt-get install --no-install-recommends $missing" >&2
+    exit 2
+}
+
+# build_targets TARGET...: says little unless something fails.
+build_targets() {
+    log=$(mktemp)
+    if ! cmake -S "$root" --preset release >"$log" 2>&1; then
+        cat "$log" >&2
+        rm -f "$log"
+        exit 2
+    fi
+    rm -f "$log"
+    cmake --build "$build" --target "$@" >&2 || exit 2
+}

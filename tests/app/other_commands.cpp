@@ -1,0 +1,101 @@
+// `pelage devices`, `pelage check`, --help and --version.
+#include "process.hpp"
+#include "texts.hpp"
+
+#include <catch2/catch.hpp>
+#include <nlohmann/json.hpp>
+
+using Catch::Contains;
+using test::Folder;
+using test::Outcome;
+using test::command;
+using test::read_all;
+
+TEST_CASE("devices lists a usable device with all that one wants to know") {
+    const Folder folder;
+
+    const Outcome outcome = command({"devices", "--json", folder / "devices.json"});
+
+    INFO(outcome.err);
+    REQUIRE(outcome.exit_code == 0);
+    CHECK_THAT(outcome.out, Contains("INDEX") && Contains("DRIVER") && Contains("MEMORY") && Contains("FP64"));
+    const auto devices = nlohmann::json::parse(read_all(folder / "devices.json")).at("devices");
+    REQUIRE_FALSE(devices.empty());
+    std::size_t usable = 0;
+    for (const auto& device : devices) {
+        CHECK(outcome.out.find(device.at("device").get<std::string>()) != std::string::npos);
+        for (const char* key : {"index", "platform", "version", "driver", "memory", "fp64", "correctly_rounded_division"}) {
+            CHECK(device.contains(key));
+        }
+        if (device.at("usable")) ++usable;
+        CHECK(device.at("usable") == device.at("reason").get<std::string>().empty());
+    }
+    CHECK(usable > 0);
+}
+
+TEST_CASE("devices works where there is no OpenCL platform") {
+    const Folder folder;
+    test::Surroundings bare;
+    bare.environment["OCL_ICD_VENDORS"] = folder / "no drivers here";
+
+    const Outcome outcome = command({"devices", "--json", folder / "devices.json"}, bare);
+
+    CHECK(outcome.exit_code == 0);
+    CHECK_THAT(outcome.out, Contains("No OpenCL device"));
+    CHECK(nlohmann::json::parse(read_all(folder / "devices.json")).at("devices").empty());
+}
+
+TEST_CASE("devices --json that cannot be written is an error") {
+    const Folder folder;
+
+    CHECK(command({"devices", "--json", folder.path()}).exit_code == 2);
+    CHECK(command({"devices", "--json", "/dev/full"}).exit_code == 2);
+}
+
+TEST_CASE("check reads all files and names every bad one") {
+    const Folder folder;
+    const std::string good = folder.write("good.pex", test::spots);
+    const std::string bad = folder.write("bad.pex", "define chemical\n");
+    const std::string worse = folder.write("worse.pex", "create nothing\n");
+
+    const Outcome all_good = command({"check", good, good});
+    const Outcome mixed = command({"check", bad, good, worse, folder / "missing.pex"});
+
+    CHECK(all_good.exit_code == 0);
+    CHECK_THAT(all_good.out, Contains("good.pex: ok: 384 cells, 2 chemicals, 2 rules, 60 iterations"));
+    CHECK(all_good.err.empty());
+    CHECK(mixed.exit_code == 2);
+    CHECK_THAT(mixed.err, Contains("bad.pex:1:") && Contains("worse.pex:1:") && Contains("missing.pex"));
+    CHECK_THAT(mixed.out, Contains("good.pex: ok"));
+    CHECK(command({"check"}).exit_code == 2);
+}
+
+TEST_CASE("every experiment of the house passes check") {
+    std::vector<std::string> words{"check"};
+    for (const auto& entry : std::filesystem::directory_iterator(PELAGE_SOURCE "/experiments")) {
+        if (entry.path().extension() == ".pex") words.push_back(entry.path().string());
+    }
+    REQUIRE(words.size() > 20);
+
+    const Outcome outcome = command(words);
+
+    INFO(outcome.err);
+    CHECK(outcome.exit_code == 0);
+}
+
+TEST_CASE("--help names every option and --version the version") {
+    const Outcome general = command({"--help"});
+    const Outcome run = command({"run", "--help"});
+    const Outcome version = command({"--version"});
+
+    CHECK(general.exit_code == 0);
+    CHECK_THAT(general.out, Contains("run") && Contains("devices") && Contains("check"));
+    CHECK(run.exit_code == 0);
+    for (const char* option :
+         {"--backend", "--device", "--precision", "--iterations", "--seed", "--out", "--format", "--snap-every",
+          "--checkpoint-every", "--resume", "--json", "--quiet", "--fast", "--no-cache", "--force"}) {
+        CHECK_THAT(run.out, Contains(option));
+    }
+    CHECK(version.exit_code == 0);
+    CHECK(version.out.rfind("pelage ", 0) == 0);
+}

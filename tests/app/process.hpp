@@ -1,0 +1,69 @@
+// Runs the built `pelage` command as a process, as a user would.
+#pragma once
+
+#include <sys/types.h>
+
+#include <cstddef>
+#include <filesystem>
+#include <map>
+#include <string>
+#include <vector>
+
+namespace test {
+
+// A fresh folder, gone with all it holds when the test ends.
+class Folder {
+public:
+    Folder();
+    ~Folder();
+    Folder(const Folder&) = delete;
+    Folder& operator=(const Folder&) = delete;
+
+    std::filesystem::path operator/(const std::string& name) const { return path_ / name; }
+    const std::filesystem::path& path() const { return path_; }
+    std::string write(const std::string& name, const std::string& text) const;  // returns the file's path
+
+private:
+    std::filesystem::path path_;
+};
+
+std::string read_all(const std::filesystem::path&);
+std::vector<std::string> names_in(const std::filesystem::path& folder);  // sorted
+
+struct Outcome {
+    int exit_code = -1;  // 128 + signal when one killed it
+    std::string out;
+    std::string err;
+};
+
+struct Surroundings {
+    std::map<std::string, std::string> environment;  // beside the test's own
+    std::filesystem::path folder;                    // to start in; empty: the test's own
+    std::size_t largest_file = 0;                    // bytes; writing more fails as on a full disk; 0: no limit
+};
+
+class Child {
+public:
+    explicit Child(const std::vector<std::string>& words, const Surroundings& = {});
+    ~Child();  // ends it when it still runs
+    Child(const Child&) = delete;
+    Child& operator=(const Child&) = delete;
+
+    bool running();
+    void signal(int number) const;
+    Outcome wait();  // fails the test after two minutes
+
+private:
+    Folder folder_;
+    pid_t id_ = -1;
+    int status_ = 0;
+    bool ended_ = false;
+};
+
+// pelage WORDS..., to its end.
+Outcome command(std::vector<std::string> words, const Surroundings& = {});
+
+// The file is there; false when the child ends or two minutes pass first.
+bool wait_for(const std::filesystem::path&, Child&);
+
+}  // namespace test
