@@ -33,7 +33,7 @@ inline void pelage_direction(scalar degrees, scalar* cosine, scalar* sine) {
 __kernel void pelage_cells_append_children(__global uint* restrict divides, __global const scalar* restrict degrees,
                                            int n, int pitch, int chunks, __global const int* restrict sums,
                                            int chemicals, int mappings, int born,
-                                           __global const int* restrict place_of, PELAGE_CELLS(const, _old),
+                                           __global int* restrict place_of, PELAGE_CELLS(const, _old),
                                            PELAGE_CELLS(, _new)) {
     const int chunk = (int)get_global_id(0);
     if (chunk >= chunks) return;
@@ -75,6 +75,7 @@ __kernel void pelage_cells_append_children(__global uint* restrict divides, __gl
             id_new[child] = child;
             birth_new[child] = born;
             fixed_new[child] = 0;
+            place_of[child] = child;
             ++child;
         }
     }

@@ -31,9 +31,30 @@ static inline mask pelage_inside(int x, int columns, int side, int beyond_rows) 
 #endif
 }
 
-// A rate as felt along (dx, dy), where the cell has a polarity.
-static inline real pelage_directed(real rate, real px, real py, real dx, real dy, real norm) {
-    return SELECT((px != R(0)) | (py != R(0)), rate * (fabs(dx * px + dy * py) / norm), rate);
+// 1 / sqrt(8) as a sum of two numbers.
+#ifdef PELAGE_DOUBLE
+#define PELAGE_INVERSE_HIGH 0x1.6a09e667f3bccp-2
+#define PELAGE_INVERSE_LOW 0.0
+#else
+#define PELAGE_INVERSE_HIGH 0x1.6a09e6p-2f
+#define PELAGE_INVERSE_LOW 0x1.9fcef4p-27f
+#endif
+
+// A rate as felt along d = (dx, dy), where the cell has a polarity: rate * |d . p| / |d|. The published program takes
+// product and quotient in double and rounds once to float; two floats in place of each double give the same bits.
+static inline real pelage_directed(real rate, real px, real py, real dx, real dy, int diagonal) {
+    const real along = fabs(dx * px + dy * py);
+    real felt;
+    if (diagonal) {
+        const real product = rate * along;
+        const real product_error = fma(rate, along, -product);
+        const real quotient = product * R(PELAGE_INVERSE_HIGH);
+        const real quotient_error = fma(product, R(PELAGE_INVERSE_HIGH), -quotient);
+        felt = quotient + ((quotient_error + product_error * R(PELAGE_INVERSE_HIGH)) + product * R(PELAGE_INVERSE_LOW));
+    } else {
+        felt = rate * (along * R((scalar)0.5f));
+    }
+    return SELECT((px != R(0)) | (py != R(0)), felt, rate);
 }
 
 // The harmonic mean; equal rates are that rate, 0 and 0 too.
@@ -67,8 +88,8 @@ static inline real pelage_shared_rate(real own, real theirs) {
 
 #define EXCHANGE_DIRECTED(i)                                                                                  \
     {                                                                                                         \
-        const real own = pelage_directed(r##i, px, py, dx, dy, norm);                                         \
-        const real e = MEAN_RATE(own, pelage_directed(THEIRS(d##i), THEIRS(old_px), THEIRS(old_py), dx, dy, norm)); \
+        const real own = pelage_directed(r##i, px, py, dx, dy, diagonal);                                         \
+        const real e = MEAN_RATE(own, pelage_directed(THEIRS(d##i), THEIRS(old_px), THEIRS(old_py), dx, dy, diagonal)); \
         const real difference = THEIRS(a##i) - c##i;                                                          \
         n##i = SELECT(MEETS, FLOW(n##i, e, difference), n##i);                                                \
     }

@@ -69,8 +69,9 @@ kernel void pelage_lattice_step(global scalar* old_conc, global scalar* new_conc
                         const mask inside = pelage_inside(x, columns, side, beyond);
                         const real dx = R((scalar)(2 * side));
                         const real dy = R((scalar)(2 * up));
-                        const real norm = up == 0 || side == 0 ? R(2) : R(PELAGE_SQRT_8);
-                        const real neighbour_share = up == 0 || side == 0 ? EDGE_SHARE : DIAGONAL_SHARE;
+                        const int diagonal = up != 0 && side != 0;
+                        const real norm = diagonal ? R(PELAGE_SQRT_8) : R(2);
+                        const real neighbour_share = diagonal ? DIAGONAL_SHARE : EDGE_SHARE;
                         //@ visit
                     }
                 }

@@ -45,7 +45,7 @@ int check(const std::vector<std::string>& files) {
 void add_check(CLI::App& app, int& exit_code) {
     const auto files = std::make_shared<std::vector<std::string>>();
     CLI::App* command = app.add_subcommand("check", "Read experiments and say what is wrong with them; run nothing");
-    command->add_option("FILE", *files, "Experiments (.pex)")->required();
+    command->add_option("FILE", *files, "Experiments (.pex)")->required()->type_name("");
     command->callback([files, &exit_code] { exit_code = check(*files); });
 }
 

@@ -97,7 +97,7 @@ int list(const std::filesystem::path& json) {
 void add_devices(CLI::App& app, int& exit_code) {
     const auto json = std::make_shared<std::filesystem::path>();
     CLI::App* command = app.add_subcommand("devices", "List the OpenCL devices, and why one cannot be used");
-    command->add_option("--json", *json, "Write the list to this file too");
+    command->add_option("--json", *json, "Write the list to this file too")->type_name("FILE");
     command->callback([json, &exit_code] { exit_code = list(*json); });
 }
 

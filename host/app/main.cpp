@@ -1,17 +1,18 @@
 // The `pelage` command: picks the subcommand and turns every error into one sentence and an exit code.
 #include "app/commands.hpp"
-#include "core/error.hpp"
 
 #include <CLI/Config.hpp>
 #include <CLI/Formatter.hpp>
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
+#include <algorithm>
 #include <cstdio>
 #include <cstdlib>
 #include <exception>
 #include <new>
-#include <stdexcept>
-#include <system_error>
+#include <string>
+#include <vector>
 
 namespace {
 
@@ -21,6 +22,12 @@ int complain(const std::string& text) {
 }
 
 int parse(CLI::App& app, int argc, char** argv) {
+    const std::string first = argc > 1 ? argv[1] : "-";
+    std::vector<std::string> names;
+    for (const CLI::App* command : app.get_subcommands({})) names.push_back(command->get_name());
+    if (first[0] != '-' && std::find(names.begin(), names.end(), first) == names.end()) {
+        return complain(fmt::format("there is no command '{}'; there are: {}", first, fmt::join(names, ", ")));
+    }
     try {
         app.parse(argc, argv);
     } catch (const CLI::ParseError& error) {

@@ -6,23 +6,32 @@
 #include <CLI/Config.hpp>
 #include <CLI/Formatter.hpp>
 
+#include <cstdint>
 #include <memory>
+#include <string>
+#include <vector>
 
 namespace pelage::app {
 
 namespace {
 
-const CLI::Range any_count(std::uint64_t{0}, largest_iteration);
-const CLI::Range positive_count(std::uint64_t{1}, largest_iteration);
+// Iterations; the description is left out of --help, where it would say 4294967295 three times.
+CLI::Validator count_from(std::uint64_t smallest) { return CLI::Range(smallest, largest_iteration).description(""); }
+
+CLI::Validator one_of(const std::vector<std::string>& words) { return CLI::IsMember(words).description(""); }
 
 void add_machine_options(CLI::App& command, RunOptions& options) {
     command
         .add_option("--backend", options.backend,
                     "What computes: reference (plain C++, slow) or opencl. "
                     "Default: opencl where a device is usable, else reference")
-        ->check(CLI::IsMember({"reference", "opencl"}));
-    command.add_option("--device", options.device,
-                       "OpenCL device: its index in `pelage devices`, or part of its name. Default: the first usable one");
+        ->type_name("NAME")
+        ->check(one_of({"reference", "opencl"}));
+    command
+        .add_option("--device", options.device,
+                    "OpenCL device: its index in `pelage devices`, its type (gpu, cpu) or part of its name. "
+                    "Default: the first usable GPU, else CPU")
+        ->type_name("INDEX|NAME");
     command
         .add_option_function<std::string>(
             "--precision",
@@ -30,7 +39,8 @@ void add_machine_options(CLI::App& command, RunOptions& options) {
                 options.precision = word == "double" ? Precision::double_ : Precision::single_;
             },
             "Numbers of 32 bits (float) or 64 bits (double). Default: float")
-        ->check(CLI::IsMember({"float", "double"}));
+        ->type_name("float|double")
+        ->check(one_of({"float", "double"}));
     command.add_flag("--fast", options.fast,
                      "Let the OpenCL compiler reorder arithmetic: faster, but no longer the reference's bits");
     command.add_flag("--no-cache", options.no_cache, "Compile device programs anew, and keep none on disk");
@@ -40,29 +50,39 @@ void add_course_options(CLI::App& command, RunOptions& options) {
     command
         .add_option("--iterations", options.iterations,
                     "Iterations to end at, counted from 0, resumed runs too. Default: as the experiment says")
-        ->check(any_count);
-    command.add_option("--seed", options.seed,
-                       "Seed of all random numbers, instead of the experiment's; 0: from the clock");
-    command.add_option("--checkpoint-every", options.checkpoint_every,
-                       "Save DIR/checkpoint.pelage every N iterations. Default: only when interrupted")
-        ->check(positive_count);
-    command.add_option("--resume", options.resume,
-                       "Go on from a checkpoint of the same experiment, precision and seed, to the same bits");
+        ->type_name("N")
+        ->check(count_from(0));
+    command
+        .add_option("--seed", options.seed, "Seed of all random numbers, instead of the experiment's; 0: from the clock")
+        ->type_name("N");
+    command
+        .add_option("--checkpoint-every", options.checkpoint_every,
+                    "Save DIR/checkpoint.pelage every N iterations. Default: only when interrupted")
+        ->type_name("N")
+        ->check(count_from(1));
+    command
+        .add_option("--resume", options.resume,
+                    "Go on from a checkpoint of the same experiment, precision and seed, to the same bits")
+        ->type_name("CHECKPOINT");
     command.add_flag("--force", options.force, "Run even where the time step is known to be unstable");
 }
 
 void add_result_options(CLI::App& command, RunOptions& options) {
-    command.add_option("--out", options.out, "Folder for the results, made if need be. Default: out/NAME of the experiment");
+    command
+        .add_option("--out", options.out, "Folder for the results, made if need be. Default: out/NAME of the experiment")
+        ->type_name("DIR");
     command
         .add_option("--format", options.formats,
                     "Files to write, separated by commas: exr, png, npy, csv, vti. Default: exr,png")
         ->delimiter(',')
-        ->check(CLI::IsMember({"exr", "png", "npy", "csv", "vti"}));
+        ->type_name("LIST")
+        ->check(one_of({"exr", "png", "npy", "csv", "vti"}));
     command
         .add_option("--snap-every", options.snap_every,
-                    "Write ITERATION.* every N iterations, beside the experiment's own snapshots")
-        ->check(positive_count);
-    command.add_option("--json", options.json, "Write the manifest to this file too");
+                    "Write ITERATION.* every N iterations from 0 on, beside the experiment's own snapshots")
+        ->type_name("N")
+        ->check(count_from(1));
+    command.add_option("--json", options.json, "Write the manifest to this file too")->type_name("FILE");
     command.add_flag("--quiet", options.quiet, "Say nothing but errors");
 }
 
@@ -71,7 +91,7 @@ void add_result_options(CLI::App& command, RunOptions& options) {
 void add_run(CLI::App& app, int& exit_code) {
     const auto options = std::make_shared<RunOptions>();
     CLI::App* command = app.add_subcommand("run", "Run an experiment and write pictures, data and a manifest");
-    command->add_option("FILE", options->file, "Experiment (.pex)")->required();
+    command->add_option("FILE", options->file, "Experiment (.pex)")->required()->type_name("");
     add_machine_options(*command, *options);
     add_course_options(*command, *options);
     add_result_options(*command, *options);

@@ -17,9 +17,10 @@ struct Neighbours {
     std::vector<std::uint32_t> ids;
 
     std::size_t cells() const { return first.empty() ? 0 : first.size() - 1; }
-    std::span<const std::uint32_t> of(std::size_t cell) const {
+    std::span<const std::uint32_t> of(std::size_t cell) const& {
         return std::span(ids).subspan(first[cell], first[cell + 1] - first[cell]);
     }
+    std::span<const std::uint32_t> of(std::size_t cell) && = delete;  // it would outlive what it shows
     bool operator==(const Neighbours&) const = default;
 };
 

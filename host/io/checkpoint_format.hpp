@@ -4,10 +4,11 @@
 //   uint64    size of the whole file in bytes
 //   payload   experiment, source, folder, backend, device, version (texts: uint64 length, bytes); precision (uint8: 4
 //   or 8),
-//             seed (int64); iteration, columns, rows (uint64), origin_x, origin_y (double); conc, diff, mappings
-//             (uint64 number, then arrays); x, y, polarity_x, polarity_y, birth, neighbours, fixed, mirrors (arrays; a
-//             mirror is two uint32). An array: uint64 count, uint8 1 when all elements have the same bits and only one
-//             follows, else 0.
+//             seed (int64); iteration, columns, rows (uint64), origin_x, origin_y (double); x, y (arrays); conc, diff,
+//             mappings (uint64 number, then arrays); polarity_x, polarity_y (arrays of double), birth, neighbours
+//             (int32), fixed (uint8), mirrors (uint32, two a pair). An array: uint64 count, uint8 1 when all elements
+//             have the same bits and only one follows, else 0; x and y are always written out: their length bounds what
+//             a short file can ask for.
 //   uint64    Checksum of the payload
 #pragma once
 
@@ -38,10 +39,13 @@ void visit(Visitor& part, Checkpoint& checkpoint) {
     part.number(state.rows);
     part.number(state.origin_x);
     part.number(state.origin_y);
+    part.places(state.x);
+    part.places(state.y);
     part.arrays(state.conc);
     part.arrays(state.diff);
     part.arrays(state.mappings);
-    for (auto* array : {&state.x, &state.y, &state.polarity_x, &state.polarity_y}) part.array(*array);
+    part.array(state.polarity_x);
+    part.array(state.polarity_y);
     part.array(state.birth);
     part.array(state.neighbours);
     part.array(state.fixed);

@@ -42,12 +42,17 @@ public:
         number(repeated);
         if (length > largest_cell_count || repeated > 1) fail();
         if (repeated != 0) {
+            if (length > 2 * cells_) fail();  // mirrors have two elements a pair
             values.assign(length, load<T>(bytes(1, sizeof(T))));
             return;
         }
         const char* const from = bytes(length, sizeof(T));
         values.resize(length);
         if (length != 0) std::memcpy(values.data(), from, length * sizeof(T));
+    }
+    void places(std::vector<double>& values) {
+        array(values);
+        cells_ = values.size();
     }
     void arrays(std::vector<std::vector<double>>& values) {
         const auto number_of_arrays = count();
@@ -84,6 +89,7 @@ private:
 
     std::string_view rest_;
     const std::string& name_;
+    std::size_t cells_ = 0;
 };
 
 // The payload of a file that is a whole checkpoint of ours.

@@ -32,11 +32,9 @@ public:
 
     template <class T>
     void array(const std::vector<T>& values) {
-        const bool repeated = same_bits(values);
-        number(std::uint64_t{values.size()});
-        number(static_cast<std::uint8_t>(repeated));
-        bytes(values.data(), (repeated ? 1 : values.size()) * sizeof(T));
+        array(values, same_bits(values));
     }
+    void places(const std::vector<double>& values) { array(values, false); }
     void arrays(const std::vector<std::vector<double>>& values) {
         number(std::uint64_t{values.size()});
         for (const auto& one : values) array(one);
@@ -50,6 +48,13 @@ public:
     std::uint64_t checksum() const { return sum_.value(); }
 
 private:
+    template <class T>
+    void array(const std::vector<T>& values, bool repeated) {
+        number(std::uint64_t{values.size()});
+        number(static_cast<std::uint8_t>(repeated));
+        bytes(values.data(), (repeated ? 1 : values.size()) * sizeof(T));
+    }
+
     void bytes(const void* from, std::size_t count) {
         file_.write(from, count);
         sum_.add(from, count);

@@ -79,9 +79,9 @@ Palette::Palette(const Colormap& map)
     }
 }
 
-Rgb Palette::operator()(double fraction) const {
-    if (slotted_) return slots_[static_cast<std::size_t>(static_cast<double>(slot_count - 1) * fraction)];
-    return linear(stops_, fraction);
+Rgb Palette::operator()(double above, double range) const {
+    if (slotted_) return slots_[static_cast<std::size_t>(static_cast<double>(slot_count - 1) * above / range)];
+    return linear(stops_, above / range);
 }
 
 Colours::Colours(const Output& output, std::span<const double> values) : palette_(output.colormap) {
@@ -103,12 +103,13 @@ Colours::Colours(const Output& output, std::span<const double> values) : palette
 Rgb Colours::operator()(double value) const {
     if (std::isnan(value)) return magenta;
     const double range = high_ - low_;
+    if (!std::isfinite(slot_count * range)) return grey;
     if (palette_.slotted()) {
         if (range < least_slotted_range || value < low_ || value > high_) return grey;
-    } else if (range == 0.0) {
-        return grey;
+        return palette_(value - low_, range);
     }
-    return palette_(std::clamp((value - low_) / range, 0.0, 1.0));
+    if (range == 0.0) return grey;
+    return palette_(std::clamp((value - low_) / range, 0.0, 1.0), 1.0);
 }
 
 Picture render(std::span<const double> values, std::size_t columns, std::size_t rows, const Output& output) {

@@ -22,7 +22,8 @@ public:
     explicit Palette(const Colormap&);
 
     bool slotted() const { return slotted_; }
-    Rgb operator()(double fraction) const;  // in [0, 1]
+    // Of a value that lies `above` the low end of a range: 0 <= above / range <= 1.
+    Rgb operator()(double above, double range) const;
 
 private:
     bool slotted_ = false;

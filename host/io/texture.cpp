@@ -16,7 +16,7 @@ namespace {
 
 constexpr std::size_t spacing_neighbours = 6;
 constexpr double reach_in_spacings = 1.5;
-constexpr double reach_in_texels = 2.0;
+constexpr double reach_in_texels = 1.0;
 
 // Mean distance of the nearest six on a square lattice of spacing 2.
 const double lattice_spacing = (4 * 2.0 + 2 * std::sqrt(8.0)) / 6;
@@ -112,8 +112,8 @@ private:
     // Texels whose centres may lie within reach; without wrap only those inside.
     std::pair<std::int64_t, std::int64_t> range(double at, double reach, std::size_t count) const {
         const auto last = static_cast<double>(count) - 1;
-        double low = std::floor(at - reach);
-        double high = std::ceil(at + reach);
+        double low = std::ceil(at - reach - 0.5);  // centres are at halves
+        double high = std::floor(at + reach - 0.5);
         if (!window_.wrap) {
             low = std::clamp(low, 0.0, last + 1);
             high = std::clamp(high, -1.0, last);

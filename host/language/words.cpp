@@ -16,18 +16,21 @@ constexpr std::size_t longest = 32;  // no word of the language is longer, so lo
 
 char lower(char c) { return static_cast<char>(std::tolower(static_cast<unsigned char>(c))); }
 
-int replacement(char a, char b) { return a == b ? 0 : lower(a) == lower(b) ? 1 : 2; }
+constexpr int edit = 4;  // cost of a letter inserted, deleted, replaced, or swapped with its neighbour
 
-// Optimal string alignment distance, in halves.
+int replacement(char a, char b) { return a == b ? 0 : lower(a) == lower(b) ? 1 : edit; }
+
+// Optimal string alignment distance.
 int distance(std::string_view a, std::string_view b) {
     std::array<std::array<int, longest + 1>, longest + 1> d{};
-    for (std::size_t i = 0; i <= a.size(); ++i) d[i][0] = static_cast<int>(2 * i);
-    for (std::size_t j = 0; j <= b.size(); ++j) d[0][j] = static_cast<int>(2 * j);
+    for (std::size_t i = 0; i <= a.size(); ++i) d[i][0] = edit * static_cast<int>(i);
+    for (std::size_t j = 0; j <= b.size(); ++j) d[0][j] = edit * static_cast<int>(j);
     for (std::size_t i = 1; i <= a.size(); ++i) {
         for (std::size_t j = 1; j <= b.size(); ++j) {
-            d[i][j] = std::min({d[i - 1][j] + 2, d[i][j - 1] + 2, d[i - 1][j - 1] + replacement(a[i - 1], b[j - 1])});
+            d[i][j] =
+                std::min({d[i - 1][j] + edit, d[i][j - 1] + edit, d[i - 1][j - 1] + replacement(a[i - 1], b[j - 1])});
             if (i > 1 && j > 1 && a[i - 1] == b[j - 2] && a[i - 2] == b[j - 1]) {
-                d[i][j] = std::min(d[i][j], d[i - 2][j - 2] + 2);
+                d[i][j] = std::min(d[i][j], d[i - 2][j - 2] + edit);
             }
         }
     }
@@ -45,7 +48,7 @@ std::string_view nearest(std::string_view found, Words words) {
     for (const std::string_view word : words) {
         if (word.size() > longest) continue;
         const int far = distance(found, word);
-        const auto allowed = static_cast<int>(2 * std::max(found.size(), word.size()) / 3);
+        const auto allowed = edit * static_cast<int>(std::max(found.size(), word.size())) / 3;
         if (far <= allowed && (best.empty() || far < smallest)) {
             best = word;
             smallest = far;

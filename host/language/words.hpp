@@ -13,7 +13,7 @@ using Words = std::span<const std::string_view>;
 std::string listed(Words);
 
 // The word nearest to `found` by insertions, deletions, replacements and swaps of neighbours, differences of case
-// counting half; empty when none is near.
+// counting a quarter; empty when none is near.
 std::string_view nearest(std::string_view found, Words);
 
 // "; did you mean 'WORD'?" or nothing.

@@ -2,6 +2,7 @@
 #include "opencl/backend.hpp"
 
 #include "core/prepattern.hpp"
+#include "opencl/cells.hpp"
 #include "opencl/cl_error.hpp"
 #include "opencl/lattice.hpp"
 #include "opencl/session.hpp"
@@ -26,15 +27,19 @@ public:
         if (session_->is_double() && !session_->info().fp64) {
             return fmt::format("device '{}' has no double precision", session_->info().name);
         }
-        if (!is_lattice(experiment)) return "free cells are not supported on OpenCL devices";
-        return "";
+        return is_lattice(experiment) ? "" : why_not_cells(experiment);
     }
 
     using Backend::make_tissue;
     std::unique_ptr<Tissue> make_tissue(const Experiment& experiment, const Snapshot& initial) override {
         const std::string reason = why_not(experiment);
         if (!reason.empty()) throw Error(experiment.source + ": " + reason);
-        return make_opencl_lattice(session_, std::make_shared<const Experiment>(experiment), initial);
+        auto shared = std::make_shared<const Experiment>(experiment);
+        if (is_lattice(experiment)) return make_opencl_lattice(session_, std::move(shared), initial);
+        CellsOptions options;
+        options.search = session_->options().neighbours;
+        options.sorting = session_->options().sorting;
+        return make_opencl_cells(session_, std::move(shared), initial, options);
     }
 
 private:

@@ -1,6 +1,7 @@
 // The OpenCL backend: any experiment, compiled for one device.
 #pragma once
 
+#include "core/neighbours.hpp"
 #include "core/tissue.hpp"
 #include "opencl/device.hpp"
 
@@ -20,6 +21,8 @@ struct OpenclOptions {
     bool fast = false;
     std::size_t work_group = 0;  // work-items in a group; 0: ours to choose
     std::size_t width = 0;       // cells a work-item handles side by side, 1, 2, 4, 8 or 16; 0: ours to choose
+    NeighbourSearch neighbours = NeighbourSearch::bins;  // of free cells
+    SpatialSorting sorting;
 };
 
 class OpenclBackend : public Backend {

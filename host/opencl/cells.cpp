@@ -22,6 +22,8 @@ namespace pelage {
 
 namespace {
 
+constexpr std::size_t most_divide_rules = 32;  // each has a bit of a word
+
 struct Progress {  // struct pelage_progress of kernels/cells_state.cl
     cl_int moved;
     cl_int children;
@@ -69,7 +71,7 @@ private:
     void take(const Snapshot&);
     std::uint64_t batch(std::uint64_t first, std::uint64_t most);
     void enqueue(CellsStep&, std::uint64_t first, std::size_t steps);
-    void bind(cl::Kernel&, const CellsWritten&, bool back);
+    cl_uint bind(cl::Kernel&, const CellsWritten&, bool back);
     void conclude(const CellsStep&, std::uint64_t first, std::size_t done, const Progress& last);
     void divide(const CellsWritten&, std::uint64_t iteration, std::size_t children);
     void build_lists();
@@ -102,6 +104,8 @@ OpenclCells::OpenclCells(std::shared_ptr<const Session> session, std::shared_ptr
       bins_(*session_, tuning_),
       mirrors_(*session_) {
     if (initial.lattice()) throw Error("a lattice has no free cells; it is stepped as a lattice");
+    const std::string reason = why_not_cells(experiment());
+    if (!reason.empty()) throw Error(experiment().source + ": " + reason);
     if (!(options_.skin >= 0)) throw Error(fmt::format("a skin of {}; it must not be negative", options_.skin));
     options_.batch = std::max<std::size_t>(1, options_.batch);
     if (approximate()) matrix_.emplace(*session_, options_.sorting);
@@ -166,22 +170,21 @@ std::uint64_t OpenclCells::batch(std::uint64_t first, std::uint64_t most) {
 }
 
 void OpenclCells::enqueue(CellsStep& step, std::uint64_t first, std::size_t steps) {
-    bind(step.there, step.written, false);
+    const cl_uint next = bind(step.there, step.written, false);
     if (steps > 1) bind(step.back, step.written, true);
     const std::size_t items = (do_cells() + programs_->width() - 1) / programs_->width();
     const std::size_t group = programs_->width() > 1 ? (items > 3000 ? 64 : 16) : tuning_.group;
     for (std::size_t i = 0; i < steps; ++i) {
         cl::Kernel& kernel = i % 2 == 0 ? step.there : step.back;
-        const auto last = static_cast<cl_uint>(kernel.getInfo<CL_KERNEL_NUM_ARGS>());
-        kernel.setArg(last - 2, static_cast<cl_int>(i + 1));
-        kernel.setArg(last - 1, static_cast<cl_uint>(first + i));
+        Arguments(*session_, kernel, next).add(static_cast<cl_int>(i + 1), static_cast<cl_uint>(first + i));
         launch(*session_, kernel, items, group);
         const bool into_spare = i % 2 == 0;
         mirrors_.enqueue(state_, progress_, static_cast<int>(i + 1), into_spare);
     }
 }
 
-void OpenclCells::bind(cl::Kernel& kernel, const CellsWritten& written, bool back) {
+// All arguments but the last two, which change from step to step; returns the place of the first of them.
+cl_uint OpenclCells::bind(cl::Kernel& kernel, const CellsWritten& written, bool back) {
     const Domain& domain = experiment().domain;
     double half_width = domain.width / 2;
     double half_height = domain.height / 2;
@@ -199,7 +202,8 @@ void OpenclCells::bind(cl::Kernel& kernel, const CellsWritten& written, bool bac
         }
     }
     arguments.add(state_.built(), lists_.lengths, lists_.entries, lists_.capacity, lists_.longest, Scalar{half_width},
-                  Scalar{half_height}, state_.divides(), state_.degrees(), threshold(), progress_, cl_int{0}, cl_uint{0});
+                  Scalar{half_height}, state_.divides(), state_.degrees(), threshold(), progress_);
+    return arguments.next();
 }
 
 // Squared half of the skin, less what rounding may hide, as the bits of a float.
@@ -306,6 +310,12 @@ std::optional<NonFinite> OpenclCells::do_non_finite() const {
 }
 
 }  // namespace
+
+std::string why_not_cells(const Experiment& experiment) {
+    const std::size_t found = divide_rules(experiment);
+    if (found <= most_divide_rules) return "";
+    return fmt::format("{} divide rules; free cells on OpenCL devices allow at most {}", found, most_divide_rules);
+}
 
 std::unique_ptr<Tissue> make_opencl_cells(std::shared_ptr<const Session> session,
                                           std::shared_ptr<const Experiment> experiment, const Snapshot& initial,

@@ -9,6 +9,7 @@
 #include <cstddef>
 #include <memory>
 #include <optional>
+#include <string>
 
 namespace pelage {
 
@@ -22,9 +23,12 @@ struct CellsOptions {
     std::optional<NeighbourTuning> tuning;
 };
 
+// What keeps an experiment with free cells from running on OpenCL; empty: nothing.
+std::string why_not_cells(const Experiment&);
+
 // Float results equal those of the float reference bit for bit where the device rounds division and square root
-// correctly. Throws Error for a lattice, for a spatial sorting window that is not offered, for more than 32 divide
-// rules, and, now or while the tissue grows, when its cells do not fit the device's memory.
+// correctly. Throws Error for a lattice, for a spatial sorting window that is not offered, when
+// why_not_cells() has a reason, and, now or while the tissue grows, when its cells do not fit the device's memory.
 std::unique_ptr<Tissue> make_opencl_cells(std::shared_ptr<const Session>, std::shared_ptr<const Experiment>,
                                           const Snapshot& initial, const CellsOptions& = {});
 

@@ -16,8 +16,6 @@ namespace pelage {
 
 namespace {
 
-constexpr std::size_t most_divide_rules = 32;  // one bit each of a word
-
 bool changes_rate(const Rule& rule, std::size_t chemical) {
     const auto hits = [&](const auto* action) {
         return action != nullptr && action->target == Target::rate && action->chemical == chemical;
@@ -202,13 +200,6 @@ CellsPlan cells_plan(const Experiment& experiment, const Snapshot& state, bool a
     }
     plan.mirrors = !state.mirrors.empty();
     plan.all_listed = all_listed;
-    const auto divides = std::ranges::count_if(experiment.rules, [](const Rule& rule) {
-        return std::holds_alternative<Divide>(rule.action);
-    });
-    if (static_cast<std::size_t>(divides) > most_divide_rules) {
-        throw Error(fmt::format("{}: {} divide rules; free cells on OpenCL allow at most {}", experiment.source, divides,
-                                most_divide_rules));
-    }
     return plan;
 }
 

@@ -20,7 +20,6 @@ struct CellsPlan {
     bool all_listed = false;      // lists hold neighbours only, not candidates that may be too far
 };
 
-// Throws Error when there are more `divide` rules than a step can tell apart.
 CellsPlan cells_plan(const Experiment&, const Snapshot&, bool all_listed);
 
 // Which arrays a step writes besides positions, concentrations and neighbour counts.

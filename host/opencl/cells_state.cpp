@@ -118,6 +118,7 @@ void CellsState::upload(const Snapshot& snapshot) {
     std::vector<cl_int> ids(cells_);
     std::iota(ids.begin(), ids.end(), 0);
     write(session_, now(CellArray::id), 0, ids);
+    write(session_, place_of_, 0, ids);
     write(session_, now(CellArray::neighbours), 0, snapshot.neighbours);
     write(session_, now(CellArray::birth), 0, snapshot.birth);
     write(session_, now(CellArray::fixed), 0, converted<cl_int>(snapshot.fixed));

@@ -62,10 +62,10 @@ Neighbours read_lists(const Session& session, const cl::Buffer& ids, const Devic
     for (std::size_t i = 0; i < points; ++i) found.first[i + 1] += found.first[i];
     found.ids.resize(found.first.back());
     for (std::size_t place = 0; place < points; ++place) {
-        std::uint32_t* ids = found.ids.data() + found.first[static_cast<std::size_t>(order[place])];
+        std::uint32_t* row = found.ids.data() + found.first[static_cast<std::size_t>(order[place])];
         const cl_int* list = entries.data() + place / 16 * 16 * capacity + place % 16;
         for (std::size_t k = 0; k < static_cast<std::size_t>(lengths[place]); ++k) {
-            ids[k] = static_cast<std::uint32_t>(order[static_cast<std::size_t>(list[16 * k])]);
+            row[k] = static_cast<std::uint32_t>(order[static_cast<std::size_t>(list[16 * k])]);
         }
     }
     return found;

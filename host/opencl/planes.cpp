@@ -21,9 +21,6 @@ std::size_t cell_place(const Grid& grid, std::size_t plane, std::size_t row) {
 
 }  // namespace
 
-PlaneExpander::PlaneExpander(const Session& session)
-    : session_(session), scalars_(expand_kernel(session, "scalar")), integers_(expand_kernel(session, "int")) {}
-
 void PlaneExpander::prepare(const Insertion& insertion) {
     if (insertion.picks.size() > capacity_) {
         capacity_ = insertion.picks.size() + insertion.picks.size() / 2;
@@ -37,6 +34,7 @@ void PlaneExpander::apply(const cl::Buffer& from, const cl::Buffer& to, const Gr
                           bool integers) {
     const Grid after = grid.grown(by_column_);
     cl::Kernel& kernel = integers ? integers_ : scalars_;
+    if (kernel() == nullptr) kernel = expand_kernel(session_, integers ? "int" : "scalar");
     kernel.setArg(0, from);
     kernel.setArg(1, to);
     kernel.setArg(2, picks_);

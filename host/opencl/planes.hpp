@@ -25,7 +25,7 @@ struct Grid {
 // Duplicates elements of planes on the device; shared by all planes of a tissue.
 class PlaneExpander {
 public:
-    explicit PlaneExpander(const Session&);
+    explicit PlaneExpander(const Session& session) : session_(session) {}
 
     // Makes the picks known to the device; then apply() moves planes of `grid` from one buffer to another.
     void prepare(const Insertion&);
@@ -33,7 +33,7 @@ public:
 
 private:
     const Session& session_;
-    cl::Kernel scalars_;
+    cl::Kernel scalars_;  // built when first needed
     cl::Kernel integers_;
     cl::Buffer picks_;
     std::size_t capacity_ = 0;

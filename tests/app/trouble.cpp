@@ -91,8 +91,8 @@ TEST_CASE("absurd sizes are refused before anything is allocated") {
     };
 
     refused("create matrix 46000 46000\n", "memory");
-    refused("create matrix 100000 100000\n", "addressed");
-    refused("create matrix 1000 1000\nrule always expand columns 1000\nstop at 1000000\n", "addressed");
+    refused("create matrix 100000 100000\n", "at most 2147483647");
+    refused("create matrix 1000 1000\nrule always expand columns 1000\nstop at 1000000\n", "at most 2147483647");
     refused("create matrix 100 100\nrule every 10 always expand columns 100 rows 100\nstop at 4000\n", "memory");
     CHECK_FALSE(std::filesystem::exists(folder / "out"));
 }

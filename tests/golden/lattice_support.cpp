@@ -21,6 +21,7 @@ Difference difference(const std::vector<double>& found, const std::vector<double
     Difference result;
     const auto [low, high] = std::minmax_element(golden.begin(), golden.end());
     result.range = *high - *low;
+    result.magnitude = std::max(std::abs(*low), std::abs(*high));
     for (std::size_t i = 0; i < golden.size(); ++i) {
         if (found[i] == golden[i]) continue;
         ++result.unequal;
@@ -64,6 +65,10 @@ std::unique_ptr<Tissue> start(const Experiment& experiment, const std::vector<Np
             throw std::runtime_error("a golden array is not of the experiment's shape");
         }
         initial.conc.at(chemical) = array.values;
+    }
+    for (const Statement& statement : experiment.prepattern) {  // not rounded to float, as the prepattern does it
+        const auto* use = std::get_if<UseChemical>(&statement);
+        if (use != nullptr && use->diff) initial.diff.at(use->chemical).assign(initial.cells(), use->diff->value);
     }
     return reference_backend(precision)->make_tissue(experiment, initial);
 }

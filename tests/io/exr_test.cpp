@@ -6,6 +6,7 @@
 
 #include <ImfChannelList.h>
 #include <ImfFrameBuffer.h>
+#include <ImfHeader.h>
 #include <ImfInputFile.h>
 #include <catch2/catch.hpp>
 #include <cmath>

@@ -1,0 +1,34 @@
+// Fuzzer of the experiment parser: any bytes must give an Experiment or an Error, nothing else.
+#include "core/error.hpp"
+#include "language/parse.hpp"
+
+#include <cstddef>
+#include <cstdint>
+#include <cstdlib>
+#include <string>
+
+namespace {
+
+// Names that lead out of the folder that is not there: the fuzzer reads no file.
+bool names_a_real_file(const std::string& text) {
+    return text.find("\"/") != std::string::npos || text.find("..") != std::string::npos;
+}
+
+void check(const pelage::Experiment& experiment) {
+    const bool sound = !experiment.chemicals.empty() && !experiment.phases.empty() && !experiment.outputs.empty() &&
+                       experiment.stop_at <= pelage::largest_iteration;
+    if (!sound) std::abort();
+}
+
+}  // namespace
+
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+    const std::string text(reinterpret_cast<const char*>(data), size);
+    if (names_a_real_file(text)) return -1;
+    try {
+        check(pelage::parse_experiment(text, "fuzz.pex", "/folder/that/is/not/there"));
+    } catch (const pelage::Error& error) {
+        if (std::string(error.what()).rfind("fuzz.pex", 0) != 0) std::abort();
+    }
+    return 0;
+}

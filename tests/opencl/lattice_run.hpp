@@ -1,0 +1,65 @@
+// Runs cases of the table on the reference and on the selected OpenCL device, and compares.
+#pragma once
+
+#include "core/prepattern.hpp"
+#include "opencl/backend.hpp"
+#include "reference/backend.hpp"
+#include "support/cases.hpp"
+#include "support/compare.hpp"
+
+#include <catch2/catch.hpp>
+#include <fmt/ranges.h>
+
+#include <memory>
+
+namespace test {
+
+inline pelage::Snapshot first_state(const Case& one, const pelage::Experiment& experiment) {
+    pelage::Snapshot state = pelage::initial_state(experiment);
+    if (one.touch) one.touch(state);
+    return state;
+}
+
+inline void require_equal(const pelage::Snapshot& expected, const pelage::Snapshot& found) {
+    const std::vector<std::string> lines = differences(expected, found);
+    INFO("iteration " << expected.iteration << ": " << fmt::format("{}", fmt::join(lines, "\n  ")));
+    REQUIRE(lines.empty());
+}
+
+// Every size of the case: equal after 1 and after all iterations, after each one where the lattice grows.
+inline void check_case(const Case& one, pelage::OpenclBackend& device) {
+    const auto reference = pelage::reference_backend(device.precision());
+    for (const Size size : one.sizes) {
+        INFO("case " << one.name << ", " << size.columns << " x " << size.rows);
+        const pelage::Experiment experiment = one.experiment(size);
+        const pelage::Snapshot before = first_state(one, experiment);
+        const auto expected = reference->make_tissue(experiment, before);
+        const auto found = device.make_tissue(experiment, before);
+        require_equal(expected->read(), found->read());
+        for (std::uint64_t done = 0; done < one.iterations;) {
+            const std::uint64_t count = done == 0 || one.grows ? 1 : one.iterations - done;
+            expected->advance(count);
+            found->advance(count);
+            require_equal(expected->read(), found->read());
+            done += count;
+        }
+        if (size.columns * size.rows == 1) continue;  // one cell is flat by nature
+        const std::vector<std::string> doubts = mistrusted(before, expected->read(), one.still);
+        INFO((doubts.empty() ? "" : doubts.front()));
+        REQUIRE(doubts.empty());
+    }
+}
+
+// Cases whose name begins with `prefix`.
+inline void check_cases(const std::string& prefix, pelage::OpenclOptions options) {
+    const auto device = pelage::opencl_backend(options);
+    std::size_t count = 0;
+    for (const Case& one : lattice_cases()) {
+        if (!one.name.starts_with(prefix)) continue;
+        check_case(one, *device);
+        ++count;
+    }
+    REQUIRE(count > 0);
+}
+
+}  // namespace test

@@ -1,0 +1,51 @@
+// One table of lattice experiments, for tests and benchmarks: every case runs on every backend.
+#pragma once
+
+#include "core/experiment.hpp"
+#include "core/snapshot.hpp"
+
+#include <cstddef>
+#include <cstdint>
+#include <functional>
+#include <set>
+#include <string>
+#include <vector>
+
+namespace test {
+
+struct Size {
+    std::size_t columns = 1;
+    std::size_t rows = 1;
+};
+
+struct Case {
+    std::string name;
+    std::function<pelage::Experiment(Size)> experiment;
+    std::vector<Size> sizes;
+    std::uint64_t iterations = 100;
+    std::set<std::size_t> still;  // chemicals that are flat or do not change, on purpose
+    std::function<void(pelage::Snapshot&)> touch;  // changes the first state to what no prepattern can make; may be empty
+    bool grows = false;                            // expands: compare after every iteration
+};
+
+// The table, in order of name parts: "diffusion/...", "reaction/...", "rates/...", "rules/...", "growth/...".
+const std::vector<Case>& lattice_cases();
+
+// The case of that name. Throws std::out_of_range.
+const Case& lattice_case(const std::string& name);
+
+// Parts of the table.
+std::vector<Case> diffusion_cases();
+std::vector<Case> reaction_cases();
+std::vector<Case> rate_cases();
+std::vector<Case> rule_cases();
+std::vector<Case> growth_cases();
+
+// 1x1, lines, tiny rectangles, around a vector's and a work-group's width, primes.
+std::vector<Size> sharp_sizes();
+std::vector<Size> few_sizes();  // some of them
+
+const char* word(pelage::Boundary);
+const char* word(pelage::Stencil);
+
+}  // namespace test

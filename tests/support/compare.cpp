@@ -1,0 +1,105 @@
+// See compare.hpp.
+#include "support/compare.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <bit>
+#include <cmath>
+#include <concepts>
+#include <cstdint>
+
+namespace test {
+
+namespace {
+
+bool same(double a, double b) {
+    return std::bit_cast<std::uint64_t>(a) == std::bit_cast<std::uint64_t>(b) && !std::isnan(a);
+}
+template <class V>
+bool same(const V& a, const V& b) {
+    return a == b;
+}
+
+std::string shown(double value) { return fmt::format("{:a} ({})", value, value); }
+template <std::integral V>
+std::string shown(V value) {
+    return std::to_string(value);
+}
+std::string shown(const std::pair<std::uint32_t, std::uint32_t>& pair) {
+    return fmt::format("{} and {}", pair.first, pair.second);
+}
+
+class Comparison {
+public:
+    template <class V>
+    void arrays(const std::string& name, const std::vector<V>& expected, const std::vector<V>& found) {
+        if (expected.size() != found.size()) {
+            lines.push_back(fmt::format("{}: {} elements expected, {} found", name, expected.size(), found.size()));
+            return;
+        }
+        std::size_t count = 0;
+        std::size_t first = 0;
+        for (std::size_t i = expected.size(); i-- > 0;) {
+            if (same(expected[i], found[i])) continue;
+            ++count;
+            first = i;
+        }
+        if (count == 0) return;
+        lines.push_back(fmt::format("{}: {} of {} elements differ, first [{}]: {} expected, {} found", name, count,
+                                    expected.size(), first, shown(expected[first]), shown(found[first])));
+    }
+
+    template <class V>
+    void lists(const std::string& name, const std::vector<std::vector<V>>& expected,
+               const std::vector<std::vector<V>>& found) {
+        if (expected.size() != found.size()) {
+            lines.push_back(fmt::format("{}: {} arrays expected, {} found", name, expected.size(), found.size()));
+            return;
+        }
+        for (std::size_t i = 0; i < expected.size(); ++i) {
+            arrays(fmt::format("{}[{}]", name, i), expected[i], found[i]);
+        }
+    }
+
+    std::vector<std::string> lines;
+};
+
+}  // namespace
+
+std::vector<std::string> differences(const pelage::Snapshot& expected, const pelage::Snapshot& found) {
+    Comparison comparison;
+    comparison.arrays("shape", std::vector<std::uint64_t>{expected.iteration, expected.columns, expected.rows},
+                      std::vector<std::uint64_t>{found.iteration, found.columns, found.rows});
+    comparison.arrays("origin", std::vector<double>{expected.origin_x, expected.origin_y},
+                      std::vector<double>{found.origin_x, found.origin_y});
+    comparison.lists("conc", expected.conc, found.conc);
+    comparison.lists("diff", expected.diff, found.diff);
+    comparison.lists("mappings", expected.mappings, found.mappings);
+    comparison.arrays("x", expected.x, found.x);
+    comparison.arrays("y", expected.y, found.y);
+    comparison.arrays("polarity_x", expected.polarity_x, found.polarity_x);
+    comparison.arrays("polarity_y", expected.polarity_y, found.polarity_y);
+    comparison.arrays("birth", expected.birth, found.birth);
+    comparison.arrays("neighbours", expected.neighbours, found.neighbours);
+    comparison.arrays("fixed", expected.fixed, found.fixed);
+    comparison.arrays("mirrors", expected.mirrors, found.mirrors);
+    return comparison.lines;
+}
+
+std::vector<std::string> mistrusted(const pelage::Snapshot& before, const pelage::Snapshot& after,
+                                    const std::set<std::size_t>& still) {
+    std::vector<std::string> lines;
+    for (std::size_t chemical = 0; chemical < after.conc.size(); ++chemical) {
+        if (still.contains(chemical)) continue;
+        const std::vector<double>& values = after.conc[chemical];
+        const bool flat = std::all_of(values.begin(), values.end(), [&](double v) { return v == values.front(); });
+        if (flat && values.size() > 1) lines.push_back(fmt::format("mistrusted: conc[{}] is flat", chemical));
+        if (chemical < before.conc.size() && before.conc[chemical] == values) {
+            lines.push_back(fmt::format("mistrusted: conc[{}] is as it was before", chemical));
+        }
+    }
+    return lines;
+}
+
+}  // namespace test

@@ -1,0 +1,21 @@
+// Equality of states bit for bit, and mistrust of results that prove nothing.
+#pragma once
+
+#include "core/snapshot.hpp"
+
+#include <cstddef>
+#include <set>
+#include <string>
+#include <vector>
+
+namespace test {
+
+// One line for each array that differs in any bit: its name, how many elements, the first of them with both values.
+// +0 and -0 differ; a NaN differs from everything, itself included. Empty: equal.
+std::vector<std::string> differences(const pelage::Snapshot& expected, const pelage::Snapshot& found);
+
+// One line for each chemical, but those in `still`, that is flat (in more than one cell) or as it was before.
+std::vector<std::string> mistrusted(const pelage::Snapshot& before, const pelage::Snapshot& after,
+                                    const std::set<std::size_t>& still = {});
+
+}  // namespace test
