@@ -81,7 +81,7 @@ __kernel void pelage_cells_step(int n, int pitch, PELAGE_CELLS(const, _old), PEL
     const int first = (int)get_global_id(0) * PELAGE_WIDTH;
     if (first >= n) return;
     __global const struct pelage_progress* before = progress + step - 1;
-    if (before->moved >= threshold || before->children > 0 || before->skipped || longest[0] > capacity) {
+    if (before->moved > threshold || before->children > 0 || before->skipped || longest[0] > capacity) {
         if (first == 0) progress[step].skipped = 1;
         return;
     }

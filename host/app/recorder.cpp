@@ -3,9 +3,6 @@
 
 #include "io/checkpoint.hpp"
 
-#include <fmt/format.h>
-#include <fmt/ranges.h>
-
 #include <algorithm>
 
 namespace pelage::app {
@@ -29,7 +26,7 @@ Attributes attributes_of(const RunOptions& options, const Experiment& experiment
 
 Recorder::Recorder(const RunOptions& options, const Experiment& experiment, const Machine& machine)
     : options_(options), experiment_(experiment), machine_(machine), folder_(options.folder()) {
-    result_options_.formats = parse_formats(fmt::format("{}", fmt::join(options.formats, ",")));
+    result_options_.formats = parse_formats(options.formats);
     result_options_.precision = options.precision;
     result_options_.attributes = attributes_of(options, experiment, machine);
 }

@@ -2,6 +2,7 @@
 #include "app/commands.hpp"
 #include "app/run_options.hpp"
 #include "app/runner.hpp"
+#include "io/results.hpp"
 
 #include <CLI/Config.hpp>
 #include <CLI/Formatter.hpp>
@@ -72,11 +73,9 @@ void add_result_options(CLI::App& command, RunOptions& options) {
         .add_option("--out", options.out, "Folder for the results, made if need be. Default: out/NAME of the experiment")
         ->type_name("DIR");
     command
-        .add_option("--format", options.formats,
-                    "Files to write, separated by commas: exr, png, npy, csv, vti. Default: exr,png")
-        ->delimiter(',')
+        .add_option("--format", options.formats, "Files to write, separated by commas: exr, png, npy, csv, vti. Default: exr,png")
         ->type_name("LIST")
-        ->check(one_of({"exr", "png", "npy", "csv", "vti"}));
+        ->each([](const std::string& list) { parse_formats(list); });
     command
         .add_option("--snap-every", options.snap_every,
                     "Write ITERATION.* every N iterations from 0 on, beside the experiment's own snapshots")

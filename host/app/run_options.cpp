@@ -6,6 +6,8 @@
 
 #include <algorithm>
 #include <cctype>
+#include <utility>
+#include <vector>
 
 namespace pelage::app {
 
@@ -34,7 +36,7 @@ std::string resume_command(const RunOptions& options, const std::filesystem::pat
     if (options.iterations) add("--iterations", std::to_string(*options.iterations));
     add("--seed", std::to_string(seed));
     add("--out", options.folder().string());
-    add("--format", fmt::format("{}", fmt::join(options.formats, ",")));
+    add("--format", options.formats);
     if (options.snap_every != 0) add("--snap-every", std::to_string(options.snap_every));
     if (options.checkpoint_every != 0) add("--checkpoint-every", std::to_string(options.checkpoint_every));
     add("--json", options.json.string());

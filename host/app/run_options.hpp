@@ -7,7 +7,6 @@
 #include <filesystem>
 #include <optional>
 #include <string>
-#include <vector>
 
 namespace pelage::app {
 
@@ -20,7 +19,7 @@ struct RunOptions {
     std::optional<std::uint64_t> iterations;
     std::optional<std::int64_t> seed;
     std::filesystem::path out;  // empty: out/STEM of the file
-    std::vector<std::string> formats{"exr", "png"};
+    std::string formats = "exr,png";
     std::uint64_t snap_every = 0;        // 0: only as the experiment says
     std::uint64_t checkpoint_every = 0;  // 0: only when interrupted
     std::filesystem::path resume;        // empty: from the start

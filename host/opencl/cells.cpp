@@ -107,7 +107,7 @@ OpenclCells::OpenclCells(std::shared_ptr<const Session> session, std::shared_ptr
     const std::string reason = why_not_cells(experiment());
     if (!reason.empty()) throw Error(experiment().source + ": " + reason);
     if (!(options_.skin >= 0)) throw Error(fmt::format("a skin of {}; it must not be negative", options_.skin));
-    options_.batch = std::max<std::size_t>(1, options_.batch);
+    options_.batch = approximate() ? 1 : std::max<std::size_t>(1, options_.batch);
     if (approximate()) matrix_.emplace(*session_, options_.sorting);
     const cl::Program program = session_->build(service_source());
     gather_ = cl::Kernel(program, "pelage_cells_gather");
@@ -208,7 +208,7 @@ cl_uint OpenclCells::bind(cl::Kernel& kernel, const CellsWritten& written, bool 
 
 // Squared half of the skin, less what rounding may hide, as the bits of a float.
 cl_int OpenclCells::threshold() const {
-    return approximate() ? 0 : std::bit_cast<cl_int>(static_cast<float>(options_.skin * options_.skin * 0.2495));
+    return std::bit_cast<cl_int>(static_cast<float>(options_.skin * options_.skin * 0.2495));
 }
 
 void OpenclCells::conclude(const CellsStep& step, std::uint64_t first, std::size_t done, const Progress& last) {
@@ -218,7 +218,8 @@ void OpenclCells::conclude(const CellsStep& step, std::uint64_t first, std::size
         }
     }
     if (last.children > 0) divide(step.written, first + done - 1, static_cast<std::size_t>(last.children));
-    fresh_ = last.children == 0 && last.moved < threshold();
+    // An approximate search goes on sorting even where nothing moves.
+    fresh_ = !approximate() && last.children == 0 && last.moved <= threshold();
     batch_ = fresh_ ? std::min(options_.batch, 2 * batch_) : std::clamp<std::size_t>(done + 1, 1, batch_);
 }
 

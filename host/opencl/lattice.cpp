@@ -16,9 +16,6 @@ namespace pelage {
 
 namespace {
 
-// Programs compiled for sets of rules before one that fits all sets is taken instead.
-constexpr std::size_t most_variants = 16;
-
 template <class T>
 void put_parameters(std::vector<double>& values, const Experiment& experiment, const LatticePlan& plan,
                     const LatticeState& state, const Phase& phase) {
@@ -102,7 +99,7 @@ private:
         }
         const auto found = steps_.find(active);
         if (found != steps_.end()) return found->second;
-        if (steps_.size() < most_variants) {
+        if (steps_.size() < session_->options().variants) {
             return steps_.try_emplace(active, *session_, experiment(), plan_, active, false).first->second;
         }
         if (!any_set_) {

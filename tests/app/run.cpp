@@ -208,6 +208,18 @@ TEST_CASE("the default backend is opencl where a device is, else the reference, 
     CHECK(json_in(folder / "b" / "manifest.json").at("backend") == "reference");
 }
 
+TEST_CASE("options may stand before the file, and a seed may be negative") {
+    const Folder folder;
+    const std::string file = folder.write("spots.pex", test::spots);
+
+    const Outcome outcome =
+        command({"run", "--backend", "reference", "--seed", "-3", "--out", folder / "out", "--format", "npy,png", file});
+
+    INFO(outcome.err);
+    REQUIRE(outcome.exit_code == 0);
+    CHECK(json_in(folder / "out" / "manifest.json").at("seed") == -3);
+}
+
 TEST_CASE("--fast and --no-cache are accepted on opencl, and --fast is in the manifest") {
     const Folder folder;
     const std::string file = folder.write("spots.pex", test::spots);

@@ -16,7 +16,7 @@ using namespace pelage;
 const std::string random_at_once = "paper__10-border-growth";
 
 bool cheap(const test::PublishedCells& published) {
-    return published.array("x_0").size() * published.iterations() < 10'000'000;
+    return published.by_chemical("conc_final")[0].size() * published.iterations() < 10'000'000;
 }
 
 }  // namespace
@@ -91,11 +91,14 @@ TEST_CASE("the published leopard after its first hundred iterations of growth") 
     tissue->advance(4100);
     const Snapshot state = tissue->read();
 
-    const std::vector<double> near = test::nearest_distances(state.x, state.y), theirs = test::nearest_distances(x, y);
     // 2900 * 100 * 0.0001 = 29 births of which the division limit forbids some, deviation 5.4.
     CHECK(state.cells() > 2900);
     CHECK(state.cells() < 2951);
-    CHECK(test::ks_distance(near, theirs) < test::ks_limit(near.size(), theirs.size(), 1e-3));
+    // Packed cells settle into one of many alike arrangements.
+    const std::vector<double> near = test::nearest_distances(state.x, state.y), theirs = test::nearest_distances(x, y);
+    for (const double share : {0.05, 0.25, 0.5, 0.75, 0.95}) {
+        CHECK(test::quantile(near, share) == Approx(test::quantile(theirs, share)).epsilon(0.03));
+    }
     CHECK(test::ks_distance(state.conc[1], conc[1]) < test::ks_limit(near.size(), theirs.size(), 1e-3));
     const std::vector<double> counts(state.neighbours.begin(), state.neighbours.end());
     CHECK(test::total_variation(counts, published.array("neighbors_4100")) < 0.05);
@@ -119,5 +122,6 @@ TEST_CASE("statistics of tissues tell the same from another") {
     CHECK(test::total_variation({1, 1, 2, 3}, {1, 2, 2, 4}) == Approx(0.5));
     // Two groups of high cells, 2 apart within and 4 apart from each other; a low cell between them.
     CHECK(test::count_features({0, 2, 4, 6, 8}, {0, 0, 0, 0, 0}, {9, 8, 1, 7, 9}) == 2);
+    CHECK(test::quantile({4, 1, 3, 2, 5}, 0.5) == 3);
     CHECK(test::nearest_distances({0, 2, 3.5}, {0, 0, 0}) == std::vector<double>{2, 1.5, 1.5});
 }

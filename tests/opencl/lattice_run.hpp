@@ -43,8 +43,8 @@ inline void check_case(const Case& one, pelage::OpenclBackend& device) {
             require_equal(expected->read(), found->read());
             done += count;
         }
-        if (size.columns * size.rows == 1) continue;  // one cell is flat by nature
-        const std::vector<std::string> doubts = mistrusted(before, expected->read(), one.still);
+        if (size.columns * size.rows < 50) continue;  // a few cells soon are all the same
+        const std::vector<std::string> doubts = mistrusted(before, expected->read());
         INFO((doubts.empty() ? "" : doubts.front()));
         REQUIRE(doubts.empty());
     }

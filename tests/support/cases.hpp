@@ -7,7 +7,6 @@
 #include <cstddef>
 #include <cstdint>
 #include <functional>
-#include <set>
 #include <string>
 #include <vector>
 
@@ -23,9 +22,8 @@ struct Case {
     std::function<pelage::Experiment(Size)> experiment;
     std::vector<Size> sizes;
     std::uint64_t iterations = 100;
-    std::set<std::size_t> still;  // chemicals that are flat or do not change, on purpose
     std::function<void(pelage::Snapshot&)> touch;  // changes the first state to what no prepattern can make; may be empty
-    bool grows = false;                            // expands: compare after every iteration
+    bool grows = false;  // expands: compare after every iteration
 };
 
 // The table, in order of name parts: "diffusion/...", "reaction/...", "rates/...", "rules/...", "growth/...".

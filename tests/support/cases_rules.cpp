@@ -195,17 +195,17 @@ std::vector<Case> rule_cases() {
     const auto drawn = [](std::int64_t seed) { return [seed](Lab lab) { return draws(std::move(lab), seed); }; };
     const std::vector<Size> sizes{{3, 2}, {20, 9}, {67, 31}};
     return {
-        {"rules/quantities/fused", fused(quantities), sizes, 40, {}, quantities_touch, false},
-        {"rules/quantities/published", published(quantities), sizes, 40, {}, quantities_touch, false},
-        {"rules/draws/fused", fused(drawn(-987654321987654321)), sizes, 60, {}, {}, false},
-        {"rules/draws/published", published(drawn(7)), sizes, 60, {}, {}, false},
-        {"rules/chains/fused", fused(chains), sizes, 60, {}, {}, false},
-        {"rules/chains/published", published(chains), sizes, 60, {}, {}, false},
-        {"rules/sets/fused", fused(sets), sizes, 60, {}, {}, false},
-        {"rules/sets/published", published(sets), sizes, 60, {}, {}, false},
-        {"rules/restless", fused(restless), sizes, 100, {}, {}, false},
-        {"rules/phases/fused", fused(phased), sizes, 100, {}, {}, false},
-        {"rules/phases/published", published(phased), sizes, 100, {}, {}, false},
+        {"rules/quantities/fused", fused(quantities), sizes, 40, quantities_touch},
+        {"rules/quantities/published", published(quantities), sizes, 40, quantities_touch},
+        {"rules/draws/fused", fused(drawn(-987654321987654321)), sizes, 60, {}},
+        {"rules/draws/published", published(drawn(7)), sizes, 60, {}},
+        {"rules/chains/fused", fused(chains), sizes, 60, {}},
+        {"rules/chains/published", published(chains), sizes, 60, {}},
+        {"rules/sets/fused", fused(sets), sizes, 60, {}},
+        {"rules/sets/published", published(sets), sizes, 60, {}},
+        {"rules/restless", fused(restless), sizes, 100, {}},
+        {"rules/phases/fused", fused(phased), sizes, 100, {}},
+        {"rules/phases/published", published(phased), sizes, 100, {}},
     };
 }
 
@@ -226,11 +226,11 @@ std::vector<Case> growth_cases() {
         return [=](Size size) { return growing_plain(plain(size, boundary), first); };
     };
     return {
-        {"growth/wrap", grown(Boundary::wrap, weighted, shuffled), sizes, 24, {}, growing_touch, true},
-        {"growth/no-flux", grown(Boundary::no_flux, normal, triangular), sizes, 24, {}, growing_touch, true},
-        {"growth/absorbing", grown(Boundary::absorbing, triangular, weighted), sizes, 24, {}, growing_touch, true},
-        {"growth/plain/no-flux", simple(Boundary::no_flux, weighted), sizes, 30, {}, growing_touch, true},
-        {"growth/plain/absorbing", simple(Boundary::absorbing, triangular), sizes, 30, {}, growing_touch, true},
+        {"growth/wrap", grown(Boundary::wrap, weighted, shuffled), sizes, 24, growing_touch, true},
+        {"growth/no-flux", grown(Boundary::no_flux, normal, triangular), sizes, 24, growing_touch, true},
+        {"growth/absorbing", grown(Boundary::absorbing, triangular, weighted), sizes, 24, growing_touch, true},
+        {"growth/plain/no-flux", simple(Boundary::no_flux, weighted), sizes, 30, growing_touch, true},
+        {"growth/plain/absorbing", simple(Boundary::absorbing, triangular), sizes, 30, growing_touch, true},
     };
 }
 

@@ -119,6 +119,12 @@ double ks_limit(std::size_t a, std::size_t b, double chance) {
     return std::sqrt(-0.5 * std::log(chance / 2) * (n + m) / (n * m));
 }
 
+double quantile(std::vector<double> values, double share) {
+    const auto at = static_cast<std::size_t>(share * static_cast<double>(values.size()));
+    std::sort(values.begin(), values.end());
+    return values[std::min(at, values.size() - 1)];
+}
+
 double total_variation(const std::vector<double>& a, const std::vector<double>& b) {
     std::map<double, double> share;
     for (const double value : a) share[value] += 1.0 / static_cast<double>(a.size());

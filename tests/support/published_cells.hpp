@@ -54,6 +54,8 @@ std::vector<double> nearest_distances(const std::vector<double>& x, const std::v
 double ks_distance(std::vector<double> a, std::vector<double> b);
 double ks_limit(std::size_t a, std::size_t b, double chance);
 
+double quantile(std::vector<double> values, double share);  // the value below which `share` of them lie
+
 // Half the sum of absolute differences of the shares: 0 the same, 1 nothing in common.
 double total_variation(const std::vector<double>& a, const std::vector<double>& b);
 
