@@ -23,7 +23,7 @@ struct OpenclOptions {
     std::size_t variants = 16;   // programs for sets of active rules before one that tests all intervals itself
     std::size_t width = 0;       // cells a work-item handles side by side, 1, 2, 4, 8 or 16; 0: ours to choose
     NeighbourSearch neighbours = NeighbourSearch::bins;  // of free cells
-    SpatialSorting sorting;
+    SpatialSorting sorting;                              // for spatial_sorting
 };
 
 class OpenclBackend : public Backend {

@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <future>
 #include <map>
 #include <numeric>
 
@@ -42,8 +43,12 @@ Grown grow(const Experiment& experiment, std::uint64_t iterations) {
 }
 
 Grown theirs(const test::PublishedCells& published) {
-    Grown tissue{published.array("x_final"), published.array("y_final"), published.array("neighbors_final"),
-                   published.by_chemical("conc_final"), {}, {}};
+    Grown tissue{published.array("x_final"),
+                 published.array("y_final"),
+                 published.array("neighbors_final"),
+                 published.by_chemical("conc_final"),
+                 {},
+                 {}};
     const std::uint64_t quarter = published.iterations() / 4;
     for (std::uint64_t at = quarter; at <= published.iterations(); at += quarter) {
         tissue.population[at] = static_cast<double>(published.population().at(at));
@@ -74,8 +79,8 @@ std::map<std::string, double> measure(const Grown& tissue) {
     std::map<std::string, double> found{
         {"mean of neighbours", mean(tissue.neighbours)},
         {"deviation of neighbours", deviation(tissue.neighbours)},
-        {"share with six neighbours", static_cast<double>(std::ranges::count(tissue.neighbours, 6.0)) /
-                                          static_cast<double>(tissue.x.size())},
+        {"share with six neighbours",
+         static_cast<double>(std::ranges::count(tissue.neighbours, 6.0)) / static_cast<double>(tissue.x.size())},
         {"nearest distance, lower decile", test::quantile(near, 0.1)},
         {"nearest distance, median", test::quantile(near, 0.5)},
         {"nearest distance, upper decile", test::quantile(near, 0.9)},
@@ -105,10 +110,14 @@ void check_one_of(const std::vector<std::map<std::string, double>>& ours, const 
 
 SearchStatistics check_growth(const std::string& name) {
     const test::PublishedCells published(name);
+    std::vector<std::future<Grown>> runs;
+    for (std::int64_t seed = 101; seed <= 106; ++seed) {
+        runs.push_back(std::async(std::launch::async, grow, published.reseeded(seed), published.iterations()));
+    }
     std::vector<std::map<std::string, double>> ours;
     SearchStatistics search;
-    for (std::int64_t seed = 1; seed <= 6; ++seed) {
-        const Grown grown = grow(published.reseeded(100 + seed), published.iterations());
+    for (std::future<Grown>& run : runs) {
+        const Grown grown = run.get();
         ours.push_back(measure(grown));
         search += grown.search;
     }
