@@ -49,7 +49,7 @@ std::string_view header_text(std::string_view bytes, std::string_view name) {
     if (bytes.substr(0, magic.size()) != magic) throw Error(fmt::format("'{}' is not an .npy file", name));
     const auto truncated = [&] { return Error(fmt::format("'{}' is truncated: its .npy header is not whole", name)); };
     if (bytes.size() < 10) throw truncated();
-    const int version = bytes[6];
+    const int version = static_cast<unsigned char>(bytes[6]);
     if (version < 1 || version > 3) {
         throw Error(fmt::format("'{}' has .npy format version {}; allowed are 1 to 3", name, version));
     }

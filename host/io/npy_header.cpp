@@ -48,8 +48,8 @@ private:
         const char quote = peek();
         if (quote != '\'' && quote != '"') fail("a name in quotes is missing in its header");
         const auto end = text_.find(quote, at_ + 1);
-        if (end == text_.npos) fail("a quote is not closed in its header");
-        const std::string value(text_.substr(at_ + 1, end - at_ - 1));
+        if (end == std::string_view::npos) fail("a quote is not closed in its header");
+        std::string value(text_.substr(at_ + 1, end - at_ - 1));
         at_ = end + 1;
         return value;
     }

@@ -76,7 +76,7 @@ TEST_CASE("the notebooks' frog, growing") {
 
     const NpyArray end = notebook.array("p1.a_end");
     const auto tissue = test::start(notebook.turing("p2", end.shape), {end, notebook.array("p1.b_end")});
-    Growth growth(notebook.array("p2.picks"), Order::column_first);
+    Growth growth(notebook.array("p2.picks"), Order::column_first, 200);
     growth.check_steps(notebook, *tissue, "p2", {1, 10, 100, 200, 201, 1000});
     growth.advance(*tissue, notebook.steps("p2"));
     notebook.check(*tissue, "p2", "_end", 1e-3);
@@ -92,7 +92,7 @@ TEST_CASE("the notebooks' reticulate whipray, growing") {
 
     const NpyArray end = notebook.array("ret_p1.a_end");
     const auto tissue = test::start(notebook.turing("ret_p2", end.shape), {end, notebook.array("ret_p1.b_end")});
-    Growth growth(notebook.array("ret_p2.picks"), Order::column_first);
+    Growth growth(notebook.array("ret_p2.picks"), Order::column_first, 100);
     growth.check_steps(notebook, *tissue, "ret_p2", {1, 10, 100, 1000});
 }
 
@@ -107,11 +107,11 @@ TEST_CASE("the notebooks' comparison of growing models") {
     const NpyArray b = notebook.array("ref.b_end");
     for (const std::string part : {"rd", "sat"}) {
         const auto tissue = test::start(notebook.turing(part, a.shape), {a, b});
-        Growth growth(notebook.array(part + ".picks"), Order::column_first);
+        Growth growth(notebook.array(part + ".picks"), Order::column_first, 50);
         growth.check_steps(notebook, *tissue, part, {1, 10, 50, 100, 500});
     }
     const auto tissue = test::start(notebook.reinforcement("rein", b.shape), {b});
-    Growth growth(notebook.array("rein.picks"), Order::row_first);
+    Growth growth(notebook.array("rein.picks"), Order::row_first, 50);
     growth.check_steps(notebook, *tissue, "rein", {1, 10, 50, 100, 500});
 }
 
@@ -121,7 +121,7 @@ TEST_CASE("the notebooks' growth without diffusion only moves elements") {
     const Experiment still = test::matrix(b.shape[1], b.shape[0], Boundary::wrap, Stencil::nine_point, 1.0,
                                           {{"b", 0.0, {-no_limit, no_limit}}});
     const auto tissue = test::start(still, {b});
-    Growth growth(test::golden("leopard_2020/comparison/nodiff.picks"), Order::column_first);
+    Growth growth(test::golden("leopard_2020/comparison/nodiff.picks"), Order::column_first, 50);
     for (const std::uint64_t steps : {50u, 500u, 5000u}) {
         growth.advance(*tissue, steps);
         const NpyArray wanted = test::golden("leopard_2020/comparison/nodiff.b" + std::to_string(steps));
@@ -164,11 +164,11 @@ TEST_CASE("the notebooks' leopard: growth and maintenance") {
     const NpyArray a = notebook.array("p1b.a_end");
     const NpyArray b = notebook.array("p1b.b_end");
     const auto spots = test::start(notebook.turing("p2ab", a.shape), {a, b});
-    Growth growth(notebook.array("p2ab.picks"), Order::row_first);
+    Growth growth(notebook.array("p2ab.picks"), Order::row_first, 50);
     growth.check_steps(notebook, *spots, "p2ab", {1, 10, 100, 1000});
 
     const auto base = test::start(notebook.reinforcement("p2c", b.shape), {b});
-    Growth same_growth(notebook.array("p2c.picks"), Order::row_first);
+    Growth same_growth(notebook.array("p2c.picks"), Order::row_first, 50);
     same_growth.check_steps(notebook, *base, "p2c", {1, 10, 100, 1000});
 }
 

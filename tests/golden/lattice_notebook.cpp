@@ -32,9 +32,9 @@ NpyArray Notebook::array(const std::string& key) const { return golden("leopard_
 
 Experiment Notebook::turing(const std::string& part, const std::vector<std::size_t>& shape) const {
     const nlohmann::json& p = parameters(part);
-    Experiment experiment = matrix(shape[1], shape[0], boundary(p), Stencil::nine_point, p.at("delta_t"),
-                                   {{"a", p.at("diff_a"), {p.at("inf_a"), p.at("sup_a")}},
-                                    {"b", p.at("diff_b"), {p.at("inf_b"), p.at("sup_b")}}});
+    Experiment experiment = matrix(
+        shape[1], shape[0], boundary(p), Stencil::nine_point, p.at("delta_t"),
+        {{"a", p.at("diff_a"), {p.at("inf_a"), p.at("sup_a")}}, {"b", p.at("diff_b"), {p.at("inf_b"), p.at("sup_b")}}});
     const auto number = [](double value) { return Operand::number(value); };
     experiment.rules = {always(React{Model::turing, 0, 1, number(1), {number(16), number(12)}})};
     return experiment;

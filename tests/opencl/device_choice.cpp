@@ -13,7 +13,8 @@ using Catch::Matchers::Contains;
 
 namespace {
 
-DeviceInfo device(std::size_t index, const std::string& name, const std::string& type, const std::string& unusable = "") {
+DeviceInfo device(std::size_t index, const std::string& name, const std::string& type,
+                  const std::string& unusable = "") {
     DeviceInfo info;
     info.index = index;
     info.name = name;
@@ -32,9 +33,11 @@ std::string failure(const std::vector<DeviceInfo>& devices, const std::optional<
     return "";
 }
 
-const std::vector<DeviceInfo> many{device(0, "llvmpipe (LLVM 15)", "gpu"), device(1, "pthread-cpu", "cpu"),
+const std::vector<DeviceInfo> many{device(0, "llvmpipe (LLVM 15)", "gpu"),
+                                   device(1, "pthread-cpu", "cpu"),
                                    device(2, "Broken Card", "gpu", "the device is not available"),
-                                   device(3, "Radiant 9000", "gpu"), device(4, "Radiant 9001", "gpu"),
+                                   device(3, "Radiant 9000", "gpu"),
+                                   device(4, "Radiant 9001", "gpu"),
                                    device(5, "Abacus", "accelerator")};
 
 class Variable {  // an environment variable for the time of a test
@@ -75,8 +78,10 @@ TEST_CASE("a device is named by index, type or part of its name in any case") {
 }
 
 TEST_CASE("a device that is not there is answered with those that are") {
-    REQUIRE_THAT(failure(many, "6"), Contains("no OpenCL device 6") && Contains("3: Radiant 9000 (gpu, Some Platform)"));
-    REQUIRE_THAT(failure(many, "Quantum"), Contains("'quantum'") && Contains("1: pthread-cpu") && Contains("5: Abacus"));
+    REQUIRE_THAT(failure(many, "6"),
+                 Contains("no OpenCL device 6") && Contains("3: Radiant 9000 (gpu, Some Platform)"));
+    REQUIRE_THAT(failure(many, "Quantum"),
+                 Contains("'quantum'") && Contains("1: pthread-cpu") && Contains("5: Abacus"));
     REQUIRE_THAT(failure(many, "2"), Contains("Broken Card") && Contains("the device is not available"));
     REQUIRE_THAT(failure(many, "broken"), Contains("cannot be used: the device is not available"));
     REQUIRE_THAT(failure({}, {}), Contains("no OpenCL device is there"));

@@ -31,9 +31,7 @@ Snapshot state(std::size_t columns, std::size_t rows) {
 
 }  // namespace
 
-TEST_CASE("equal states have no differences") {
-    REQUIRE(differences(state(1000, 1000), state(1000, 1000)).empty());
-}
+TEST_CASE("equal states have no differences") { REQUIRE(differences(state(1000, 1000), state(1000, 1000)).empty()); }
 
 TEST_CASE("one wrong bit in a million cells is seen, and where") {
     const Snapshot expected = state(1000, 1000);

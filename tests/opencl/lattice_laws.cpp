@@ -1,4 +1,5 @@
-// Laws of a tissue on a device: whole steps split anywhere, work is dealt out anyhow, states resume; each changes no bit.
+// Laws of a tissue on a device: whole steps split anywhere, work is dealt out anyhow, states resume; each changes no
+// bit.
 #include "lattice_run.hpp"
 
 #include "core/growth.hpp"
@@ -12,8 +13,9 @@ using namespace test;
 
 namespace {
 
-const char* const lively[] = {"rules/sets/fused",          "rules/restless",       "rules/phases/fused", "growth/wrap",
-                              "rates/polarized/moore/wrap", "diffusion/sims/wrap", "rules/draws/published"};
+const char* const lively[] = {
+    "rules/sets/fused",           "rules/restless",      "rules/phases/fused",   "growth/wrap",
+    "rates/polarized/moore/wrap", "diffusion/sims/wrap", "rules/draws/published"};
 
 OpenclOptions few_programs() {
     OpenclOptions options;
@@ -50,7 +52,7 @@ TEST_CASE("advance splits anywhere") {
 
 TEST_CASE("the size of a work-group changes no bit") {
     const auto device = opencl_backend(few_programs());
-    for (const std::size_t work_group : {2, 5}) {
+    for (const std::size_t work_group : {std::size_t{2}, std::size_t{5}}) {
         OpenclOptions options = few_programs();
         options.work_group = work_group;
         const auto other = opencl_backend(options);

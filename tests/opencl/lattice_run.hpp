@@ -7,8 +7,8 @@
 #include "support/cases.hpp"
 #include "support/compare.hpp"
 
-#include <catch2/catch.hpp>
 #include <fmt/ranges.h>
+#include <catch2/catch.hpp>
 
 #include <memory>
 

@@ -1,7 +1,7 @@
 // Populations far past the first buffers.
 #include "core/prepattern.hpp"
-#include "opencl_cells/support_session.hpp"
-#include "opencl_cells/support_tissues.hpp"
+#include "support/free_cells.hpp"
+#include "support/opencl_session.hpp"
 
 #include <catch2/catch.hpp>
 
@@ -14,15 +14,16 @@ TEST_CASE("two cells become 200,000 without a lost or a doubled cell") {
     const auto tissue = test::on_device(test::experiment(R"(
 define chemical A
 define domain 3000 3000
+define division_limit 9
 use chemical A conc 1 diff 0.1
 create cell 0 0
 create cell 2 0
-rule probability 0.12 divide direction 0 dev 180
+rule probability 0.2 divide direction 0 dev 180
 )"));
 
     std::size_t before = 2;
     while (tissue->cells() < 200000) {
-        tissue->advance(10);
+        tissue->advance(20);
         REQUIRE(tissue->cells() >= before);
         before = tissue->cells();
     }

@@ -1,13 +1,13 @@
 // The authors' spatial sorting on the device against the reference's: the same order, sets and misses.
+#include "opencl/spatial_sorting.hpp"
 #include "core/error.hpp"
 #include "core/prepattern.hpp"
 #include "opencl/neighbours.hpp"
-#include "opencl/spatial_sorting.hpp"
 #include "opencl_cells/support_points.hpp"
-#include "opencl_cells/support_session.hpp"
-#include "opencl_cells/support_tissues.hpp"
 #include "reference/cells.hpp"
 #include "reference/spatial_sorting.hpp"
+#include "support/free_cells.hpp"
+#include "support/opencl_session.hpp"
 
 #include <catch2/catch.hpp>
 
@@ -124,7 +124,8 @@ rule from 10 probability 0.01 divide direction 0 dev 180
     options.sorting.rounds = GENERATE(0, 1);
     options.list_capacity = 0;
     const Snapshot initial = initial_state(*experiment);
-    const auto expected = make_reference_cells(experiment, initial, Precision::single_, options.search, options.sorting);
+    const auto expected =
+        make_reference_cells(experiment, initial, Precision::single_, options.search, options.sorting);
     const auto found = test::on_device(experiment, options);
 
     test::check_equal_runs(*expected, *found, 120, 20);
@@ -144,5 +145,6 @@ TEST_CASE("an exact search has no misses to count; a window that is not offered 
 
     options.search = NeighbourSearch::spatial_sorting;
     options.sorting.window = 49;
-    CHECK_THROWS_WITH(test::on_device(experiment, options), Catch::Contains("49") && Catch::Contains("8, 24, 48, 80, 120"));
+    CHECK_THROWS_WITH(test::on_device(experiment, options),
+                      Catch::Contains("49") && Catch::Contains("8, 24, 48, 80, 120"));
 }
