@@ -22,7 +22,8 @@ static inline void pelage_direction(scalar degrees, scalar* cosine, scalar* sine
     const scalar r = s - (scalar)0.5 * (scalar)q;
     const scalar z = r * r;
     const scalar sn = r * (3.14159265f + z * (-5.16771278f + z * (2.55016404f + z * (-0.59926453f + z * 0.08214589f))));
-    const scalar cs = 1 + z * (-4.93480220f + z * (4.05871213f + z * (-1.33526277f + z * (0.23533063f + z * -0.02580689f))));
+    const scalar cs =
+        1 + z * (-4.93480220f + z * (4.05871213f + z * (-1.33526277f + z * (0.23533063f + z * -0.02580689f))));
     *cosine = q == 0 ? cs : q == 1 ? -sn : -cs;
     *sine = q == 0 ? sn : q == 1 ? cs : -sn;
     if (t < 0) *sine = -*sine;

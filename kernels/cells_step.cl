@@ -70,8 +70,8 @@ static inline int pelage_divide(mask where, real angle, int nth, int first, int 
 #define GET_ROWS R(0)
 #define GET_COLUMNS R(0)
 
-// progress[step - 1] is that of the step before; progress[0] belongs to the host. A step whose lists cannot be relied on
-// any more, or were cut off, does nothing, and neither do those after it.
+// progress[step - 1] is that of the step before; progress[0] belongs to the host. A step whose lists cannot be relied
+// on any more, or were cut off, does nothing, and neither do those after it.
 __kernel void pelage_cells_step(int n, int pitch, PELAGE_CELLS(const, _old), PELAGE_CELLS(, _new),
                                 __global const scalar* restrict built, __global const int* restrict lengths,
                                 __global const int* restrict lists, int capacity, __global const int* restrict longest,

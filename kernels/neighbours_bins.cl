@@ -35,7 +35,7 @@ __kernel void pelage_bins_box(__global const scalar* restrict positions, int pit
 static inline scalar pelage_bins_per_length(scalar extent, scalar reach) {
     const scalar bins = extent / reach;
     const scalar per = 1 / (reach * ((scalar)1.001 + bins * (scalar)0x1p-21));
-    return extent > 0 && extent < INFINITY && per > 0 ? per : 0;  // one bin for no extent, and for one past all counting
+    return extent > 0 && extent < INFINITY && per > 0 ? per : 0;  // one bin for no extent and for one beyond measure
 }
 
 static inline scalar pelage_bins_along(scalar extent, scalar per) {

@@ -35,7 +35,8 @@ static inline void pelage_list_sort(__global int* list, int length, __global con
 #if PELAGE_WIDTH == 16
 
 static inline uint pelage_mask_of(int16 lanes) {
-    const uint16 bits = as_uint16(lanes) & (uint16)(1, 2, 4, 8, 16, 32, 64, 128, 256, 512, 1024, 2048, 4096, 8192, 16384, 32768);
+    const uint16 bit = (uint16)(1, 2, 4, 8, 16, 32, 64, 128, 256, 512, 1024, 2048, 4096, 8192, 16384, 32768);
+    const uint16 bits = as_uint16(lanes) & bit;
     const uint8 eight = bits.lo | bits.hi;
     const uint4 four = eight.lo | eight.hi;
     const uint2 two = four.lo | four.hi;

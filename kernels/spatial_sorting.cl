@@ -9,7 +9,8 @@
 
 // Places below `placed` keep their cells; those from there to `n` get the new ones, the rest none.
 __kernel void pelage_matrix_load(__global const scalar* restrict positions, int pitch, int placed, int n, int places,
-                                 __global scalar* restrict x, __global scalar* restrict y, __global int* restrict cell) {
+                                 __global scalar* restrict x, __global scalar* restrict y,
+                                 __global int* restrict cell) {
     const int place = (int)get_global_id(0);
     if (place >= places) return;
     if (place >= placed) cell[place] = place < n ? place : -1;

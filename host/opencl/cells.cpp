@@ -2,13 +2,14 @@
 #include "opencl/cells.hpp"
 
 #include "core/error.hpp"
+#include "opencl/cells_division.hpp"
+#include "opencl/cells_lists.hpp"
 #include "opencl/cells_mirrors.hpp"
 #include "opencl/cells_programs.hpp"
 #include "opencl/cells_state.hpp"
 #include "opencl/cl_error.hpp"
 #include "opencl/neighbours_launch.hpp"
 #include "opencl/program.hpp"
-#include "opencl/spatial_sorting.hpp"
 
 #include <fmt/format.h>
 
@@ -62,34 +63,31 @@ private:
     void do_expand(const Insertion&) override {
         throw Error("only a lattice can be expanded; this tissue has free cells");
     }
-    void do_set_rate(std::size_t chemical, double rate) override { state_.fill_rate(chemical, rate); }
+    void do_set_rate(std::size_t chemical, double rate) override {
+        with_device(session_->info().name, [&] { state_.fill_rate(chemical, rate); });
+    }
     Snapshot do_read() const override;
     void do_write(const Snapshot& snapshot) override;
     std::optional<NonFinite> do_non_finite() const override;
 
-    bool approximate() const { return options_.search == NeighbourSearch::spatial_sorting; }
     void take(const Snapshot&);
     std::uint64_t batch(std::uint64_t first, std::uint64_t most);
     void enqueue(CellsStep&, std::uint64_t first, std::size_t steps);
+    std::size_t group_for(std::size_t items) const;
     cl_uint bind(cl::Kernel&, const CellsWritten&, bool back);
     void conclude(const CellsStep&, std::uint64_t first, std::size_t done, const Progress& last);
-    void divide(const CellsWritten&, std::uint64_t iteration, std::size_t children);
-    void build_lists();
-    void find_lists();
-    void make_longer_lists();
-    double longest_way() const;
 
     std::shared_ptr<const Session> session_;
     CellsOptions options_;
     NeighbourTuning tuning_;
+    cl::Program service_;
     CellsState state_;
-    NeighbourBins bins_;
-    std::optional<DeviceMatrix> matrix_;
-    DeviceLists lists_;
-    std::optional<CellsPrograms> programs_;
+    CellsLists lists_;
+    CellsDivision division_;
     CellMirrors mirrors_;
-    mutable cl::Kernel gather_, count_children_, append_, check_;
-    cl::Buffer progress_, sums_, found_;
+    std::optional<CellsPrograms> programs_;
+    mutable cl::Kernel check_;
+    cl::Buffer progress_, found_;
     bool fresh_ = false;  // the lists hold for the state
     std::size_t batch_ = 1;
 };
@@ -100,23 +98,17 @@ OpenclCells::OpenclCells(std::shared_ptr<const Session> session, std::shared_ptr
       session_(std::move(session)),
       options_(options),
       tuning_(options.tuning.value_or(NeighbourTuning::of(*session_))),
+      service_(session_->build(service_source())),
       state_(*session_, experiment().chemicals.size(), experiment().mappings.size(), divide_rules(experiment())),
-      bins_(*session_, tuning_),
-      mirrors_(*session_) {
+      lists_(*session_, options, service_),
+      division_(*session_, tuning_, service_),
+      mirrors_(*session_, service_),
+      check_(service_, "pelage_cells_check") {
     if (initial.lattice()) throw Error("a lattice has no free cells; it is stepped as a lattice");
     const std::string reason = why_not_cells(experiment());
     if (!reason.empty()) throw Error(experiment().source + ": " + reason);
-    if (!(options_.skin >= 0)) throw Error(fmt::format("a skin of {}; it must not be negative", options_.skin));
-    options_.batch = approximate() ? 1 : std::max<std::size_t>(1, options_.batch);
-    if (approximate()) matrix_.emplace(*session_, options_.sorting);
-    const cl::Program program = session_->build(service_source());
-    gather_ = cl::Kernel(program, "pelage_cells_gather");
-    count_children_ = cl::Kernel(program, "pelage_cells_count_children");
-    append_ = cl::Kernel(program, "pelage_cells_append_children");
-    check_ = cl::Kernel(program, "pelage_cells_check");
-    mirrors_.build(program);
+    options_.batch = options.approximate() ? 1 : std::max<std::size_t>(1, options.batch);
     progress_ = session_->buffer((options_.batch + 1) * sizeof(Progress), "progress of a batch");
-    sums_ = session_->buffer(tuning_.chunks * sizeof(cl_int), "sums of children");
     found_ = session_->buffer(sizeof(cl_int), "mark of a value that is not finite");
     take(initial);
 }
@@ -124,8 +116,8 @@ OpenclCells::OpenclCells(std::shared_ptr<const Session> session, std::shared_ptr
 void OpenclCells::take(const Snapshot& snapshot) {
     state_.upload(snapshot);
     mirrors_.take(snapshot.mirrors);
-    programs_.emplace(*session_, experiment(), cells_plan(experiment(), snapshot, approximate()));
-    if (matrix_) matrix_->forget();
+    programs_.emplace(*session_, experiment(), cells_plan(experiment(), snapshot, options_.approximate()));
+    lists_.forget();
     fresh_ = false;
     batch_ = 1;
 }
@@ -155,25 +147,34 @@ std::uint64_t OpenclCells::batch(std::uint64_t first, std::uint64_t most) {
     const std::size_t steps =
         static_cast<std::size_t>(std::min<std::uint64_t>({batch_, options_.batch, most, until - first}));
     session_->queue().enqueueFillBuffer(progress_, cl_int{0}, 0, (steps + 1) * sizeof(Progress));
-    if (!fresh_) build_lists();
+    if (!fresh_) lists_.build(state_);
     enqueue(step, first, steps);
     std::vector<Progress> progress(steps + 1);
     session_->queue().enqueueReadBuffer(progress_, CL_TRUE, 0, progress.size() * sizeof(Progress), progress.data());
     std::size_t done = 0;
     while (done < steps && progress[done + 1].skipped == 0) ++done;
-    if (done == 0) {
-        make_longer_lists();
-    } else {
+    if (done > 0) {
         conclude(step, first, done, progress[done]);
+    } else if (lists_.lengthen(state_)) {
+        fresh_ = true;
+    } else {
+        throw Error(fmt::format("device '{}' did not carry out a step, without a reason", session_->info().name));
     }
     return done;
+}
+
+// Work-items in a group: few enough for every thread of a small tissue to get some.
+std::size_t OpenclCells::group_for(std::size_t items) const {
+    const std::size_t most = std::max<std::size_t>(1, session_->info().max_work_group);
+    if (session_->options().work_group != 0) return std::min(session_->options().work_group, most);
+    return programs_->width() > 1 ? std::min<std::size_t>(items > 3000 ? 64 : 16, most) : tuning_.group;
 }
 
 void OpenclCells::enqueue(CellsStep& step, std::uint64_t first, std::size_t steps) {
     const cl_uint next = bind(step.there, step.written, false);
     if (steps > 1) bind(step.back, step.written, true);
     const std::size_t items = (do_cells() + programs_->width() - 1) / programs_->width();
-    const std::size_t group = programs_->width() > 1 ? (items > 3000 ? 64 : 16) : tuning_.group;
+    const std::size_t group = group_for(items);
     for (std::size_t i = 0; i < steps; ++i) {
         cl::Kernel& kernel = i % 2 == 0 ? step.there : step.back;
         Arguments(*session_, kernel, next).add(static_cast<cl_int>(i + 1), static_cast<cl_uint>(first + i));
@@ -202,13 +203,11 @@ cl_uint OpenclCells::bind(cl::Kernel& kernel, const CellsWritten& written, bool 
             arguments.add(spare ? state_.spare(array) : state_.now(array));
         }
     }
-    arguments.add(state_.built(), lists_.lengths, lists_.entries, lists_.capacity, lists_.longest, Scalar{half_width},
-                  Scalar{half_height}, state_.divides(), state_.degrees(), Scalar{longest_way()}, progress_);
+    const DeviceLists& lists = lists_.lists();
+    arguments.add(state_.built(), lists.lengths, lists.entries, lists.capacity, lists.longest, Scalar{half_width},
+                  Scalar{half_height}, state_.divides(), state_.degrees(), Scalar{lists_.longest_way()}, progress_);
     return arguments.next();
 }
-
-// Squared half of the skin, less what rounding may hide.
-double OpenclCells::longest_way() const { return options_.skin * options_.skin * 0.2495; }
 
 void OpenclCells::conclude(const CellsStep& step, std::uint64_t first, std::size_t done, const Progress& last) {
     if (done % 2 == 1) {
@@ -216,82 +215,15 @@ void OpenclCells::conclude(const CellsStep& step, std::uint64_t first, std::size
             if (changes(step.written, static_cast<CellArray>(i))) state_.swap(static_cast<CellArray>(i));
         }
     }
-    if (last.children > 0) divide(step.written, first + done - 1, static_cast<std::size_t>(last.children));
+    if (last.children > 0)
+        division_.append(state_, step.written, first + done - 1, static_cast<std::size_t>(last.children));
     // An approximate search goes on sorting even where nothing moves.
-    fresh_ = !approximate() && last.children == 0 && last.moved == 0;
+    fresh_ = !options_.approximate() && last.children == 0 && last.moved == 0;
     batch_ = fresh_ ? std::min(options_.batch, 2 * batch_) : std::clamp<std::size_t>(done + 1, 1, batch_);
 }
 
-// The state before the step is still in the arrays that the step has left.
-void OpenclCells::divide(const CellsWritten& written, std::uint64_t iteration, std::size_t children) {
-    const std::size_t cells = do_cells();
-    try {
-        state_.grow(cells + children);
-    } catch (const Error& error) {
-        throw Error(fmt::format("growth at iteration {}: {}", iteration, error.what()));
-    }
-    const auto chunks = static_cast<cl_int>(std::clamp<std::size_t>(cells / tuning_.per_chunk, 1, tuning_.chunks));
-    Arguments(*session_, count_children_).add(state_.divides(), state_.cells(), chunks, sums_);
-    if (chunks > 1) launch(*session_, count_children_, static_cast<std::size_t>(chunks));
-    Arguments arguments(*session_, append_);
-    arguments.add(state_.divides(), state_.degrees(), state_.cells(), state_.pitch(), chunks, sums_, state_.chemicals(),
-                  state_.mappings(), static_cast<cl_int>(iteration + 1), state_.place_of());
-    for (std::size_t i = 0; i < cell_array_count; ++i) {
-        const auto array = static_cast<CellArray>(i);
-        arguments.add(changes(written, array) ? state_.spare(array) : state_.now(array));
-    }
-    state_.add_now(arguments);
-    launch(*session_, append_, static_cast<std::size_t>(chunks));
-    state_.append(children);
-}
-
-void OpenclCells::build_lists() {
-    lists_.reserve(*session_, static_cast<std::size_t>(state_.pitch()), std::max(16, options_.list_capacity));
-    if (approximate()) {
-        matrix_->update(state_.now(CellArray::position), state_.pitch(), state_.cells());
-    } else {
-        const double reach = (interaction_range + options_.skin) * (1 + 1e-5);  // wider than any rounding of positions
-        bins_.reserve(static_cast<std::size_t>(state_.pitch()));
-        bins_.sort(state_.now(CellArray::position), state_.pitch(), state_.cells(), reach);
-        const auto items = static_cast<cl_int>(
-            std::clamp<std::size_t>(do_cells() / 1024, 1, tuning_.width > 1 ? tuning_.chunks : do_cells()));
-        Arguments arguments(*session_, gather_);
-        arguments.add(state_.cells(), state_.pitch(), items, state_.chemicals(), state_.mappings(), bins_.order());
-        state_.add_now(arguments);
-        state_.add_spare(arguments);
-        arguments.add(state_.built(), state_.place_of());
-        launch(*session_, gather_, static_cast<std::size_t>(items));
-        state_.swap_all();
-    }
-    find_lists();
-}
-
-void OpenclCells::find_lists() {
-    session_->queue().enqueueFillBuffer(lists_.longest, cl_int{0}, 0, sizeof(cl_int));
-    if (approximate()) {
-        matrix_->find(state_.now(CellArray::id), lists_);
-    } else {
-        const double reach = (interaction_range + options_.skin) * (1 + 1e-5);
-        bins_.find(state_.now(CellArray::position), state_.pitch(), state_.now(CellArray::id), state_.cells(), reach,
-                   lists_);
-    }
-    fresh_ = true;
-}
-
-// After a batch in which nothing was done: some list did not fit.
-void OpenclCells::make_longer_lists() {
-    cl_int longest = 0;
-    session_->queue().enqueueReadBuffer(lists_.longest, CL_TRUE, 0, sizeof longest, &longest);
-    if (longest <= lists_.capacity) {
-        throw Error(fmt::format("device '{}' did not carry out a step, without a reason", session_->info().name));
-    }
-    lists_.reserve(*session_, static_cast<std::size_t>(state_.pitch()), (longest + longest / 4 + 15) / 16 * 16);
-    find_lists();
-}
-
 std::optional<SearchStatistics> OpenclCells::search_statistics() const {
-    if (!approximate()) return std::nullopt;
-    return with_device(session_->info().name, [&] { return matrix_->statistics(state_.now(CellArray::id), lists_); });
+    return with_device(session_->info().name, [&] { return lists_.statistics(state_); });
 }
 
 std::optional<NonFinite> OpenclCells::do_non_finite() const {

@@ -6,8 +6,6 @@
 
 namespace pelage {
 
-void CellMirrors::build(const cl::Program& program) { kernel_ = cl::Kernel(program, "pelage_cells_mirror"); }
-
 // A pair goes into the round after the last one that touches either of its cells: the result is that of taking the
 // pairs one after the other.
 void CellMirrors::take(const Pairs& pairs) {

@@ -15,9 +15,10 @@ class CellMirrors {
 public:
     using Pairs = std::vector<std::pair<std::uint32_t, std::uint32_t>>;
 
-    explicit CellMirrors(const Session& session) : session_(session) {}
+    // `service`: the program of cells_mirror.cl.
+    CellMirrors(const Session& session, const cl::Program& service)
+        : session_(session), kernel_(service, "pelage_cells_mirror") {}
 
-    void build(const cl::Program&);
     void take(const Pairs&);
     const Pairs& pairs() const { return pairs_; }
 

@@ -80,7 +80,7 @@ std::filesystem::path checkpoint_at_40(const Folder& folder, const std::string& 
                                      "npy", "--checkpoint-every", "20"});
     INFO(outcome.err);
     REQUIRE(outcome.exit_code == 0);
-    const std::filesystem::path path = folder / "first" / "checkpoint.pelage";
+    std::filesystem::path path = folder / "first" / "checkpoint.pelage";
     REQUIRE(pelage::read_checkpoint(path).snapshot.iteration == 40);
     return path;
 }

@@ -88,8 +88,9 @@ TEST_CASE("the printed command is quoted for the shell") {
 }
 
 TEST_CASE("the memory a run needs counts its growth") {
-    const std::string growing = "define chemical U\ncreate matrix 10 10\n"
-                                "rule from 5 every 10 always expand columns 2 rows 1\nstop at 100\n";
+    const std::string growing =
+        "define chemical U\ncreate matrix 10 10\n"
+        "rule from 5 every 10 always expand columns 2 rows 1\nstop at 100\n";
     const pelage::Experiment experiment = pelage::parse_experiment(growing, "growing", ".");
 
     const Footprint early = footprint(experiment, 10, pelage::Precision::single_);
@@ -124,5 +125,6 @@ TEST_CASE("the guard finds the very iteration however long the batch was") {
     CHECK(breakdown->finite_after == 127);
     CHECK(breakdown->where.cell == 10);
     CHECK(tissue->iteration() == 128);
-    CHECK(describe(*breakdown, *tissue) == "chemical 'U' became inf in iteration 128, first in cell 10 (row 2, column 0)");
+    CHECK(describe(*breakdown, *tissue) ==
+          "chemical 'U' became inf in iteration 128, first in cell 10 (row 2, column 0)");
 }

@@ -39,6 +39,7 @@ constexpr std::chrono::milliseconds pause{2};
         signal(SIGXFSZ, SIG_IGN);
     }
     std::vector<char*> arguments;
+    arguments.reserve(words.size() + 1);
     for (const std::string& word : words) arguments.push_back(const_cast<char*>(word.c_str()));
     arguments.push_back(nullptr);
     execvp(arguments[0], arguments.data());

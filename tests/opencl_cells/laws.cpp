@@ -53,7 +53,7 @@ TEST_CASE("free cells: skin, batch and list capacity change no bit") {
         CHECK(test::difference(expected, after(250, options)) == "");
     }
     options = {};
-    for (const std::size_t batch : {1, 2, 7, 100}) {
+    for (const std::size_t batch : {1u, 2u, 7u, 100u}) {
         options.batch = batch;
         CHECK(test::difference(expected, after(250, options)) == "");
     }
@@ -65,10 +65,11 @@ TEST_CASE("free cells: skin, batch and list capacity change no bit") {
 
 TEST_CASE("free cells: the shape of the work changes no bit") {
     const Snapshot expected = after(200);
-    const std::size_t width = GENERATE(1, 2, 4, 8, 16);
+    const std::size_t width = GENERATE(1u, 2u, 4u, 8u, 16u);
     CAPTURE(width);
     OpenclOptions options;
     options.width = width;
+    options.work_group = 3 * width;
     CellsOptions as_on_a_gpu;
     as_on_a_gpu.tuning = NeighbourTuning{1, 50, 3, 4, 16};
 
@@ -85,7 +86,7 @@ TEST_CASE("free cells: advancing in pieces changes no bit") {
     const Snapshot expected = after(100);
     const auto tissue = test::on_device(test::experiment(growing));
 
-    for (const std::uint64_t piece : {1, 1, 2, 17, 30, 48, 1}) tissue->advance(piece);
+    for (const std::uint64_t piece : {1u, 1u, 2u, 17u, 30u, 48u, 1u}) tissue->advance(piece);
 
     CHECK(test::difference(expected, tissue->read()) == "");
 }

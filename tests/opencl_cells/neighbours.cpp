@@ -58,7 +58,7 @@ void check_against_tree(const test::Points& points) {
 }  // namespace
 
 TEST_CASE("neighbour sets of thousands of points equal the k-d tree's") {
-    const std::size_t count = GENERATE(6000, 20000, 100000);
+    const std::size_t count = GENERATE(6000u, 20000u, 100000u);
     CAPTURE(count);
 
     check_against_tree(test::hexagonal(count));
@@ -71,7 +71,7 @@ TEST_CASE("neighbour sets of thousands of points equal the k-d tree's") {
 TEST_CASE("neighbour sets of a million points equal the k-d tree's") { check_against_tree(test::jittered(1000000, 6)); }
 
 TEST_CASE("neighbour sets of sharp sizes equal brute force") {
-    const std::size_t count = GENERATE(1, 2, 3, 7, 15, 16, 17, 31, 33, 63, 64, 65, 127, 257, 1021);
+    const std::size_t count = GENERATE(1u, 2u, 3u, 7u, 15u, 16u, 17u, 31u, 33u, 63u, 64u, 65u, 127u, 257u, 1021u);
     const double side = GENERATE(2.0, 9.0, 60.0);
     const test::Points points = test::crowd(count, side, static_cast<std::uint32_t>(count));
     CAPTURE(count, side);

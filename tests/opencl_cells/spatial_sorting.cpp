@@ -80,15 +80,15 @@ void check_equal(const test::Points& points, SpatialSorting settings) {
 }  // namespace
 
 TEST_CASE("spatial sorting on the device orders and finds as the reference does") {
-    const std::size_t window = GENERATE(8, 24, 48, 80, 120);
-    const std::size_t rounds = GENERATE(0, 1, 11);
+    const std::size_t window = GENERATE(8u, 24u, 48u, 80u, 120u);
+    const std::size_t rounds = GENERATE(0u, 1u, 11u);
     CAPTURE(window, rounds);
 
     check_equal(test::shuffled(test::jittered(1021, 21), 22), {window, rounds});
 }
 
 TEST_CASE("spatial sorting of sharp sizes, coinciding and far points") {
-    const std::size_t count = GENERATE(3, 4, 5, 9, 10, 16, 17, 65);
+    const std::size_t count = GENERATE(3u, 4u, 5u, 9u, 10u, 16u, 17u, 65u);
 
     check_equal(test::crowd(count, 8, 23), {});
     check_equal(test::moved(test::square_at_radius(9), -4e5, 3e5), {});
@@ -121,7 +121,7 @@ rule from 10 probability 0.01 divide direction 0 dev 180
 )");
     CellsOptions options;
     options.search = NeighbourSearch::spatial_sorting;
-    options.sorting.rounds = GENERATE(0, 1);
+    options.sorting.rounds = GENERATE(0u, 1u);
     options.list_capacity = 0;
     const Snapshot initial = initial_state(*experiment);
     const auto expected =
