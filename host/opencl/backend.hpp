@@ -22,6 +22,7 @@ struct OpenclOptions {
     std::size_t work_group = 0;  // work-items in a group; 0: ours to choose
     std::size_t variants = 16;   // programs for sets of active rules before one that tests all intervals itself
     std::size_t width = 0;       // cells a work-item handles side by side, 1, 2, 4, 8 or 16; 0: ours to choose
+    bool fuse = true;            // several iterations a pass over memory, where the rules allow it
     NeighbourSearch neighbours = NeighbourSearch::bins;  // of free cells
     SpatialSorting sorting;
 };

@@ -7,6 +7,7 @@
 #include "opencl/lattice_state.hpp"
 #include "opencl/lattice_step.hpp"
 #include "opencl/program.hpp"
+#include "opencl/stream_step.hpp"
 
 #include <algorithm>
 #include <map>
@@ -48,7 +49,7 @@ private:
             upload_parameters(experiment().phase_at(first));
             for (std::uint64_t iteration = first; iteration < end;) {
                 const std::uint64_t next = std::min(end, next_change(experiment(), iteration));
-                LatticeStep& step = step_for(iteration);
+                LatticeKernel& step = step_for(iteration);
                 if (!counted_) {  // rules may read the counts: they change after this one iteration
                     step.enqueue(*state_, parameters_, iteration, 1, pace_);
                     state_->counted();
@@ -92,21 +93,26 @@ private:
         return with_device(session_->info().name, [&] { return find_non_finite(); });
     }
 
-    LatticeStep& step_for(std::uint64_t iteration) {
+    LatticeKernel& step_for(std::uint64_t iteration) {
         std::vector<bool> active = active_rules(experiment(), iteration);
         for (std::size_t i = 0; i < active.size(); ++i) {
             if (std::holds_alternative<Expand>(experiment().rules[i].action)) active[i] = false;
         }
         const auto found = steps_.find(active);
-        if (found != steps_.end()) return found->second;
+        if (found != steps_.end()) return *found->second;
         if (steps_.size() < session_->options().variants) {
-            return steps_.try_emplace(active, *session_, experiment(), plan_, active, false).first->second;
+            return *steps_.emplace(active, make_step(active, false)).first->second;
         }
-        if (!any_set_) {
-            const std::vector<bool> every(active.size(), true);
-            any_set_ = std::make_unique<LatticeStep>(*session_, experiment(), plan_, every, true);
-        }
+        if (!any_set_) any_set_ = make_step(std::vector<bool>(active.size(), true), true);
         return *any_set_;
+    }
+
+    std::unique_ptr<LatticeKernel> make_step(const std::vector<bool>& active, bool test_intervals) const {
+        const RuleUse use = emit_rules(experiment(), active, session_->options().precision, test_intervals).use;
+        if (session_->options().fuse && is_cpu(*session_) && why_not_fused(plan_, use).empty()) {
+            return std::make_unique<StreamStep>(*session_, experiment(), plan_, active, test_intervals);
+        }
+        return std::make_unique<LatticeStep>(*session_, experiment(), plan_, active, test_intervals);
     }
 
     void upload_parameters(const Phase& phase) {
@@ -158,8 +164,8 @@ private:
     LatticePlan plan_;
     std::unique_ptr<LatticeState> state_;
     bool counted_ = false;  // state_ has been told that an iteration has been carried out
-    std::map<std::vector<bool>, LatticeStep> steps_;
-    std::unique_ptr<LatticeStep> any_set_;
+    std::map<std::vector<bool>, std::unique_ptr<LatticeKernel>> steps_;
+    std::unique_ptr<LatticeKernel> any_set_;
     cl::Buffer parameters_;
     std::vector<double> parameter_values_;
     mutable cl::Kernel finder_;
