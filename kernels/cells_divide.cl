@@ -13,7 +13,7 @@ __kernel void pelage_cells_count_children(__global const uint* restrict divides,
 
 // Sine and cosine of an angle in degrees by a fixed polynomial about the nearest multiple of a quarter turn: the
 // device's own would differ from the host's. (cosine, sine).
-inline void pelage_direction(scalar degrees, scalar* cosine, scalar* sine) {
+static inline void pelage_direction(scalar degrees, scalar* cosine, scalar* sine) {
     const scalar half_turns = degrees / 180;
     const scalar t = half_turns - 2 * rint(half_turns * (scalar)0.5);  // -1 .. 1
     const scalar s = fabs(t);

@@ -23,7 +23,7 @@
 #define AS_UINTV as_uint
 #endif
 
-inline int pelage_largest(intv v) {
+static inline int pelage_largest(intv v) {
     int lanes[PELAGE_WIDTH];
     STORE(v, lanes);
     int largest = lanes[0];
@@ -32,7 +32,7 @@ inline int pelage_largest(intv v) {
 }
 
 // The lanes whose cells divide leave word for pelage_cells_append_children.
-inline int pelage_divide(mask where, real angle, int nth, int first, int n, int pitch, __global const int* id,
+static inline int pelage_divide(mask where, real angle, int nth, int first, int n, int pitch, __global const int* id,
                          __global uint* divides, __global scalar* degrees) {
     int acts[PELAGE_WIDTH];
     scalar angles[PELAGE_WIDTH];

@@ -32,13 +32,13 @@ __kernel void pelage_bins_box(__global const scalar* restrict positions, int pit
 
 // Bins per unit length along an extent. The bin of a coordinate carries a rounding error that grows with the number
 // of bins from the corner; widening the bins by more than that keeps points within reach in adjacent bins.
-inline scalar pelage_bins_per_length(scalar extent, scalar reach) {
+static inline scalar pelage_bins_per_length(scalar extent, scalar reach) {
     const scalar bins = extent / reach;
     const scalar per = 1 / (reach * ((scalar)1.001 + bins * (scalar)0x1p-21));
     return extent > 0 && extent < INFINITY && per > 0 ? per : 0;  // one bin for no extent, and for one past all counting
 }
 
-inline scalar pelage_bins_along(scalar extent, scalar per) {
+static inline scalar pelage_bins_along(scalar extent, scalar per) {
     return per > 0 ? extent * per + 1 : 1;
 }
 
@@ -75,7 +75,7 @@ __kernel void pelage_bins_grid(__global const scalar* restrict boxes, int chunks
 }
 
 // Which of `bins` bins along one axis; what is not a number goes to the first.
-inline int pelage_bin_along(scalar coordinate, scalar corner, scalar per, int bins) {
+static inline int pelage_bin_along(scalar coordinate, scalar corner, scalar per, int bins) {
     const scalar place = (coordinate - corner) * per;
     return place >= 0 ? (place < (scalar)bins ? (int)place : bins - 1) : 0;
 }

@@ -4,28 +4,37 @@
 
 #define PELAGE_BLOCK 16
 
-inline long pelage_list_begin(int place, int capacity) {
+static inline long pelage_list_begin(int place, int capacity) {
     return (long)(place / PELAGE_BLOCK) * capacity * PELAGE_BLOCK + place % PELAGE_BLOCK;
 }
 
-// A list that is kept sorted by id while it grows. What does not fit is counted only.
-inline int pelage_list_insert(__global int* restrict list, int length, int capacity, int place,
-                              __global const int* restrict ids) {
-    if (length < capacity) {
-        const int id = ids[place];
-        int k = length;
-        while (k > 0 && ids[list[(k - 1) * PELAGE_BLOCK]] > id) {
-            list[k * PELAGE_BLOCK] = list[(k - 1) * PELAGE_BLOCK];
-            --k;
-        }
-        list[k * PELAGE_BLOCK] = place;
-    }
+// What does not fit is counted only.
+static inline int pelage_list_append(__global int* list, int length, int capacity, int place) {
+    if (length < capacity) list[length * PELAGE_BLOCK] = place;
     return length + 1;
+}
+
+// Shell's sort, by id: lists are short as a rule, but not in a crowd.
+static inline void pelage_list_sort(__global int* list, int length, __global const int* ids) {
+    const int gaps[8] = {701, 301, 132, 57, 23, 10, 4, 1};  // Ciura 2001
+    for (int g = 0; g < 8; ++g) {
+        const int gap = gaps[g];
+        for (int i = gap; i < length; ++i) {
+            const int place = list[i * PELAGE_BLOCK];
+            const int id = ids[place];
+            int k = i;
+            while (k >= gap && ids[list[(k - gap) * PELAGE_BLOCK]] > id) {
+                list[k * PELAGE_BLOCK] = list[(k - gap) * PELAGE_BLOCK];
+                k -= gap;
+            }
+            list[k * PELAGE_BLOCK] = place;
+        }
+    }
 }
 
 #if PELAGE_WIDTH == 16
 
-inline uint pelage_mask_of(int16 lanes) {
+static inline uint pelage_mask_of(int16 lanes) {
     const uint16 bits = as_uint16(lanes) & (uint16)(1, 2, 4, 8, 16, 32, 64, 128, 256, 512, 1024, 2048, 4096, 8192, 16384, 32768);
     const uint8 eight = bits.lo | bits.hi;
     const uint4 four = eight.lo | eight.hi;
@@ -34,7 +43,7 @@ inline uint pelage_mask_of(int16 lanes) {
 }
 
 // Bit k: point begin + k is near and comes before end.
-inline uint pelage_near(__global const scalar* restrict x, __global const scalar* restrict y, int begin, int end,
+static inline uint pelage_near(__global const scalar* x, __global const scalar* y, int begin, int end,
                         scalar centre_x, scalar centre_y, scalar square) {
     const real dx = vload16(0, x + begin) - centre_x;
     const real dy = vload16(0, y + begin) - centre_y;
@@ -42,44 +51,64 @@ inline uint pelage_near(__global const scalar* restrict x, __global const scalar
     return end - begin < 16 ? near & ((1u << (end - begin)) - 1u) : near;
 }
 
-// Place of each lane among the sixteen when they are sorted.
-inline int16 pelage_ranks(int16 v) {
-    int16 rank = 0;
-    rank -= v.s123456789abcdef0 < v;
-    rank -= v.s23456789abcdef01 < v;
-    rank -= v.s3456789abcdef012 < v;
-    rank -= v.s456789abcdef0123 < v;
-    rank -= v.s56789abcdef01234 < v;
-    rank -= v.s6789abcdef012345 < v;
-    rank -= v.s789abcdef0123456 < v;
-    rank -= v.s89abcdef01234567 < v;
-    rank -= v.s9abcdef012345678 < v;
-    rank -= v.sabcdef0123456789 < v;
-    rank -= v.sbcdef0123456789a < v;
-    rank -= v.scdef0123456789ab < v;
-    rank -= v.sdef0123456789abc < v;
-    rank -= v.sef0123456789abcd < v;
-    rank -= v.sf0123456789abcde < v;
-    return rank;
+// As pelage_near, for up to 32 points.
+static inline uint pelage_near_32(__global const scalar* x, __global const scalar* y, int begin, int end,
+                           scalar centre_x, scalar centre_y, scalar square) {
+    const uint first = pelage_near(x, y, begin, end, centre_x, centre_y, square);
+    if (end - begin <= 16) return first;
+    return first | pelage_near(x, y, begin + 16, end, centre_x, centre_y, square) << 16;
 }
 
+// For each lane of v how many of `all` come before it.
+static inline int16 pelage_before(int16 all, int16 v) {
+    int16 count = -(all < v);
+    count -= all.s123456789abcdef0 < v;
+    count -= all.s23456789abcdef01 < v;
+    count -= all.s3456789abcdef012 < v;
+    count -= all.s456789abcdef0123 < v;
+    count -= all.s56789abcdef01234 < v;
+    count -= all.s6789abcdef012345 < v;
+    count -= all.s789abcdef0123456 < v;
+    count -= all.s89abcdef01234567 < v;
+    count -= all.s9abcdef012345678 < v;
+    count -= all.sabcdef0123456789 < v;
+    count -= all.sbcdef0123456789a < v;
+    count -= all.scdef0123456789ab < v;
+    count -= all.sdef0123456789abc < v;
+    count -= all.sef0123456789abcd < v;
+    count -= all.sf0123456789abcde < v;
+    return count;
+}
+
+#define PELAGE_IDS(places)                                                                                        \
+    (int16)(ids[places.s0], ids[places.s1], ids[places.s2], ids[places.s3], ids[places.s4], ids[places.s5],       \
+            ids[places.s6], ids[places.s7], ids[places.s8], ids[places.s9], ids[places.sa], ids[places.sb],       \
+            ids[places.sc], ids[places.sd], ids[places.se], ids[places.sf])
 #define PELAGE_STORE(lane) list[rank.lane * PELAGE_BLOCK] = places.lane;
 #define PELAGE_STORE4(a, b, c, d) PELAGE_STORE(a) PELAGE_STORE(b) PELAGE_STORE(c) PELAGE_STORE(d)
 
-// At most sixteen places at once; the lanes past `length` store the point itself behind them.
-inline void pelage_list_store(__global int* restrict list, const int* found, int length, int self,
-                              __global const int* restrict ids) {
-    const int16 lane = (int16)(0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15);
-    const int16 places = select((int16)self, vload16(0, found), lane < length);
-    const int16 all = (int16)(ids[places.s0], ids[places.s1], ids[places.s2], ids[places.s3], ids[places.s4],
-                              ids[places.s5], ids[places.s6], ids[places.s7], ids[places.s8], ids[places.s9],
-                              ids[places.sa], ids[places.sb], ids[places.sc], ids[places.sd], ids[places.se],
-                              ids[places.sf]);
-    const int16 rank = pelage_ranks(select(0x7ffffff0 + lane, all, lane < length));
+static inline void pelage_list_scatter(__global int* list, int16 rank, int16 places) {
     PELAGE_STORE4(s0, s1, s2, s3)
     PELAGE_STORE4(s4, s5, s6, s7)
     PELAGE_STORE4(s8, s9, sa, sb)
     PELAGE_STORE4(sc, sd, se, sf)
+}
+
+// At most 32 places, sorted by rank. Lanes past `length` store the point itself behind them: room for 16 or 32 entries.
+static inline void pelage_list_store(__global int* list, const int* found, int length, int self,
+                              __global const int* ids) {
+    const int16 lane = (int16)(0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15);
+    const int16 last = 0x7fffffc0 + lane;
+    const int16 places = select((int16)self, vload16(0, found), lane < length);
+    const int16 order = select(last, PELAGE_IDS(places), lane < length);
+    if (length <= 16) {
+        pelage_list_scatter(list, pelage_before(order, order), places);
+        return;
+    }
+    const int16 more_places = select((int16)self, vload16(1, found), lane + 16 < length);
+    const int16 more_order = select(last + 16, PELAGE_IDS(more_places), lane + 16 < length);
+    pelage_list_scatter(list, pelage_before(order, order) + pelage_before(more_order, order), places);
+    pelage_list_scatter(list, pelage_before(order, more_order) + pelage_before(more_order, more_order), more_places);
 }
 
 #endif
@@ -114,25 +143,25 @@ __kernel void pelage_neighbours_lists(__global const scalar* restrict positions,
     __global int* restrict list = lists + pelage_list_begin(self, capacity);
     int length = 0;
 #if PELAGE_WIDTH == 16
-    // Nearly always each run has at most 16 points and the list at most 16 entries: three masks say it all.
-    if (max(max(end[0] - begin[0], end[1] - begin[1]), end[2] - begin[2]) <= 16) {
-        const ulong below = pelage_near(x, y, begin[0], end[0], centre_x, centre_y, square);
-        const ulong beside = pelage_near(x, y, begin[1], end[1], centre_x, centre_y, square) & ~(1ul << (self - begin[1]));
-        const ulong above = pelage_near(x, y, begin[2], end[2], centre_x, centre_y, square);
-        const int in_two = (int)(popcount(below) + popcount(beside));
-        length = in_two + (int)popcount(above);
-        if (length <= 16) {
-            const int in_one = (int)popcount(below);
-            ulong mask = below | (beside << 16) | (above << 32);
-            int found[16];
-            for (int group = 0; group < length; group += 8) {
-                #pragma unroll
-                for (int k = group; k < group + 8; ++k) {
-                    const int bit = 63 - (int)clz(mask & -mask);
-                    mask &= mask - 1;
-                    found[k] = bit + (k < in_one ? begin[0] : k < in_two ? begin[1] - 16 : begin[2] - 32);
+    // Nearly always each run has at most 32 points and the list at most as many entries.
+    if (max(max(end[0] - begin[0], end[1] - begin[1]), end[2] - begin[2]) <= 32) {
+        int found[48];
+        for (int k = 0; k < 3 && length <= 32; ++k) {
+            uint mask = pelage_near_32(x, y, begin[k], end[k], centre_x, centre_y, square);
+            if (k == 1) mask &= ~(1u << (self - begin[1]));
+            const int count = (int)popcount(mask);
+            if (length + count <= 32) {
+                for (int i = 0; i < count; i += 8) {
+                    #pragma unroll
+                    for (int j = 0; j < 8; ++j) {
+                        found[length + i + j] = begin[k] + 31 - (int)clz(mask & -mask);
+                        mask &= mask - 1;
+                    }
                 }
             }
+            length += count;
+        }
+        if (length <= min(capacity & ~15, 32)) {
             pelage_list_store(list, found, length, self, ids);
             lengths[self] = length;
             if (length > longest[0]) atomic_max(longest, length);
@@ -146,7 +175,7 @@ __kernel void pelage_neighbours_lists(__global const scalar* restrict positions,
             while (mask != 0) {
                 const int other = first + 31 - (int)clz(mask & -mask);
                 mask &= mask - 1;
-                if (other != self) length = pelage_list_insert(list, length, capacity, other, ids);
+                if (other != self) length = pelage_list_append(list, length, capacity, other);
             }
         }
     }
@@ -156,11 +185,12 @@ __kernel void pelage_neighbours_lists(__global const scalar* restrict positions,
             const scalar dx = x[other] - centre_x;
             const scalar dy = y[other] - centre_y;
             if (dx * dx + dy * dy < square && other != self) {
-                length = pelage_list_insert(list, length, capacity, other, ids);
+                length = pelage_list_append(list, length, capacity, other);
             }
         }
     }
 #endif
+    pelage_list_sort(list, min(length, capacity), ids);
     lengths[self] = length;
     if (length > longest[0]) atomic_max(longest, length);
 }

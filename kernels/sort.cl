@@ -3,11 +3,11 @@
 // `bits` bits from `shift` on. counts[chunk][digit] belong to one work-item each: no atomics, and the same order on
 // every device, however many chunks there are.
 
-inline int pelage_digits(int bits, __global const int* keys_end) {
+static inline int pelage_digits(int bits, __global const int* keys_end) {
     return bits == 0 ? keys_end[0] : 1 << bits;
 }
 
-inline int pelage_digit(int key, int bits, int shift) {
+static inline int pelage_digit(int key, int bits, int shift) {
     return bits == 0 ? key : (key >> shift) & ((1 << bits) - 1);
 }
 

@@ -18,7 +18,7 @@ __kernel void pelage_matrix_load(__global const scalar* restrict positions, int 
     y[place] = at >= 0 ? positions[pitch + at] : PELAGE_BEYOND;
 }
 
-inline void pelage_matrix_swap(__global scalar* x, __global scalar* y, __global int* cell, int a, int b) {
+static inline void pelage_matrix_swap(__global scalar* x, __global scalar* y, __global int* cell, int a, int b) {
     const scalar x_a = x[a];
     const scalar y_a = y[a];
     const int cell_a = cell[a];
@@ -85,9 +85,10 @@ __kernel void pelage_matrix_lists(__global const scalar* restrict x, __global co
             if (other == place || other >= n) continue;  // behind the cells there are none
             const scalar dx = x[other] - x[place];
             const scalar dy = y[other] - y[place];
-            if (dx * dx + dy * dy <= square) length = pelage_list_insert(list, length, capacity, cell[other], ids);
+            if (dx * dx + dy * dy <= square) length = pelage_list_append(list, length, capacity, cell[other]);
         }
     }
+    pelage_list_sort(list, min(length, capacity), ids);
     lengths[cell[place]] = length;
     if (length > longest[0]) atomic_max(longest, length);
 }

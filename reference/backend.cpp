@@ -32,6 +32,8 @@ private:
 
 }  // namespace
 
-std::unique_ptr<Backend> reference_backend(Precision precision) { return std::make_unique<ReferenceBackend>(precision); }
+std::unique_ptr<Backend> reference_backend(Precision precision) {
+    return std::make_unique<ReferenceBackend>(precision);
+}
 
 }  // namespace pelage

@@ -31,7 +31,8 @@ bool rules_change_rate(const Experiment& experiment, std::size_t chemical) {
 bool ever_diffuses(const Experiment& experiment, const Snapshot& state, std::size_t chemical) {
     return rules_change_rate(experiment, chemical) ||
            std::ranges::any_of(state.diff[chemical], [](double rate) { return rate != 0.0; }) ||
-           std::ranges::any_of(experiment.phases, [&](const Phase& phase) { return phase.rates[chemical].has_value(); });
+           std::ranges::any_of(experiment.phases,
+                               [&](const Phase& phase) { return phase.rates[chemical].has_value(); });
 }
 
 template <class T>
@@ -62,7 +63,9 @@ private:
     void do_advance(std::uint64_t first, std::uint64_t count) override {
         for (std::uint64_t i = 0; i < count; ++i) step(first + i);
     }
-    void do_expand(const Insertion&) override { throw Error("only a lattice can be expanded; this tissue has free cells"); }
+    void do_expand(const Insertion&) override {
+        throw Error("only a lattice can be expanded; this tissue has free cells");
+    }
     void do_set_rate(std::size_t chemical, double rate) override {
         std::ranges::fill(old_.diff[chemical], static_cast<T>(rate));
     }

@@ -24,9 +24,12 @@ template <class T>
 T weight(Stencil stencil, const Neighbour& neighbour) {
     const bool diagonal = neighbour.right != 0 && neighbour.up != 0;
     switch (stencil) {
-        case Stencil::nine_point: return diagonal ? T(1.0 / 6) : T(4.0 / 6);
-        case Stencil::sims: return diagonal ? T(0.05) : T(0.2);
-        default: return T(1);
+        case Stencil::nine_point:
+            return diagonal ? T(1.0 / 6) : T(4.0 / 6);
+        case Stencil::sims:
+            return diagonal ? T(0.05) : T(0.2);
+        default:
+            return T(1);
     }
 }
 
@@ -81,7 +84,9 @@ public:
     }
 
 private:
-    static std::size_t axis_of(const Neighbour& n) { return n.up == 0 ? 0 : n.right == 0 ? 1 : n.right == n.up ? 2 : 3; }
+    static std::size_t axis_of(const Neighbour& n) {
+        return n.up == 0 ? 0 : n.right == 0 ? 1 : n.right == n.up ? 2 : 3;
+    }
 
     const std::vector<T>& plain_;
     std::array<std::vector<T>, 4> along_;
@@ -190,9 +195,9 @@ void follow_gradients(const Medium& medium, const std::vector<std::int32_t>& req
     }
 }
 
-#define PELAGE_INSTANTIATE(T)                                                                                     \
-    template void diffuse_uniform(const Medium&, std::size_t, T, const State<T>&, State<T>&);                     \
-    template void diffuse_per_cell(const Medium&, std::size_t, bool, T, const State<T>&, State<T>&);              \
+#define PELAGE_INSTANTIATE(T)                                                                        \
+    template void diffuse_uniform(const Medium&, std::size_t, T, const State<T>&, State<T>&);        \
+    template void diffuse_per_cell(const Medium&, std::size_t, bool, T, const State<T>&, State<T>&); \
     template void follow_gradients(const Medium&, const std::vector<std::int32_t>&, const State<T>&, State<T>&);
 PELAGE_INSTANTIATE(float)
 PELAGE_INSTANTIATE(double)

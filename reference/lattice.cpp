@@ -81,8 +81,11 @@ private:
 
     void diffuse(const Medium& medium, std::size_t chemical, T dt) {
         switch (plan_.rates[chemical]) {
-            case RateKind::none: break;
-            case RateKind::uniform: diffuse_uniform(medium, chemical, dt, state_, next_); break;
+            case RateKind::none:
+                break;
+            case RateKind::uniform:
+                diffuse_uniform(medium, chemical, dt, state_, next_);
+                break;
             case RateKind::per_cell: {
                 const bool anisotropic = experiment().chemicals[chemical].anisotropic;
                 diffuse_per_cell(medium, chemical, anisotropic, dt, state_, next_);

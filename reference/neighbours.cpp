@@ -119,8 +119,8 @@ void NeighbourLists<T>::relist(const std::vector<std::uint32_t>& points) {
     for (const std::uint32_t a : points) {
         for (std::uint32_t b = 0; b < x_.size(); ++b) {
             if (b == a || !nearer(x_[a], y_[a], x_[b], y_[b], square)) continue;
-            pairs.push_back({a, b});
-            if (anew[b] == 0) pairs.push_back({b, a});
+            pairs.emplace_back(a, b);
+            if (anew[b] == 0) pairs.emplace_back(b, a);
         }
     }
     std::ranges::sort(pairs);

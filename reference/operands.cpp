@@ -39,17 +39,28 @@ Column<T> Sight<T>::column(const Operand& operand) {
     const std::size_t lattice = old.columns == 0 ? 0 : 1;
     const auto now = static_cast<std::int64_t>(iteration);
     switch (operand.quantity) {
-        case Quantity::number: return Column<T>(static_cast<T>(operand.value));
-        case Quantity::neighbours: return computed<T>(cells, [&](auto cell) { return old.neighbours[cell]; });
-        case Quantity::age: return computed<T>(cells, [&](auto cell) { return now - old.birth[cell]; });
-        case Quantity::birth: return computed<T>(cells, [&](auto cell) { return old.birth[cell]; });
-        case Quantity::x: return Column<T>(old.x);
-        case Quantity::y: return Column<T>(old.y);
-        case Quantity::row: return computed<T>(cells, [&](auto cell) { return cell / columns * lattice; });
-        case Quantity::column: return computed<T>(cells, [&](auto cell) { return cell % columns * lattice; });
-        case Quantity::rows: return Column<T>(static_cast<T>(old.rows));
-        case Quantity::columns: return Column<T>(static_cast<T>(old.columns));
-        case Quantity::iteration: return Column<T>(static_cast<T>(iteration));
+        case Quantity::number:
+            return Column<T>(static_cast<T>(operand.value));
+        case Quantity::neighbours:
+            return computed<T>(cells, [&](auto cell) { return old.neighbours[cell]; });
+        case Quantity::age:
+            return computed<T>(cells, [&](auto cell) { return now - old.birth[cell]; });
+        case Quantity::birth:
+            return computed<T>(cells, [&](auto cell) { return old.birth[cell]; });
+        case Quantity::x:
+            return Column<T>(old.x);
+        case Quantity::y:
+            return Column<T>(old.y);
+        case Quantity::row:
+            return computed<T>(cells, [&](auto cell) { return cell / columns * lattice; });
+        case Quantity::column:
+            return computed<T>(cells, [&](auto cell) { return cell % columns * lattice; });
+        case Quantity::rows:
+            return Column<T>(static_cast<T>(old.rows));
+        case Quantity::columns:
+            return Column<T>(static_cast<T>(old.columns));
+        case Quantity::iteration:
+            return Column<T>(static_cast<T>(iteration));
         case Quantity::random: {
             const std::uint32_t nth = randoms++;
             const std::uint32_t purpose = purpose::operand + 16 * (nth / 4);
@@ -57,9 +68,12 @@ Column<T> Sight<T>::column(const Operand& operand) {
                 return unit_uniform<T>(words(cell, iteration, rule, purpose, seed)[nth % 4]);
             });
         }
-        case Quantity::concentration: return Column<T>(old.conc[operand.index]);
-        case Quantity::rate: return Column<T>(old.diff[operand.index]);
-        case Quantity::mapping: return Column<T>(mappings[operand.index]);
+        case Quantity::concentration:
+            return Column<T>(old.conc[operand.index]);
+        case Quantity::rate:
+            return Column<T>(old.diff[operand.index]);
+        case Quantity::mapping:
+            return Column<T>(mappings[operand.index]);
     }
     return Column<T>(T(0));
 }

@@ -36,8 +36,8 @@ struct Sight {
     const std::vector<std::vector<T>>& mappings;
     std::uint64_t iteration;
     std::int64_t seed;
-    std::size_t rule;             // place in Experiment::rules
-    std::uint32_t randoms = 0;    // RANDOM operands of this rule read so far
+    std::size_t rule;           // place in Experiment::rules
+    std::uint32_t randoms = 0;  // RANDOM operands of this rule read so far
 
     // Reads operands in the order of the rule: condition first, then the action's in order of declaration.
     Column<T> column(const Operand&);

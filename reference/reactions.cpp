@@ -104,12 +104,18 @@ template <class T, class Sum>
 void run(const Reaction<T>& reaction, Model model, Sum sum) {
     constexpr bool published = std::is_same_v<Sum, Published<T>>;
     switch (model) {
-        case Model::turing: reaction.template pair<Turing>(sum); break;
+        case Model::turing:
+            reaction.template pair<Turing>(sum);
+            break;
         case Model::gray_scott:
             reaction.template pair<std::conditional_t<published, GrayScott, FusedGrayScott>>(sum);
             break;
-        case Model::linear: reaction.template pair<Linear>(sum); break;
-        case Model::gm1: reaction.template pair<Gm1>(sum); break;
+        case Model::linear:
+            reaction.template pair<Linear>(sum);
+            break;
+        case Model::gm1:
+            reaction.template pair<Gm1>(sum);
+            break;
         case Model::cubic:
             if constexpr (published) {
                 reaction.published_cubic(sum.dt);
@@ -117,7 +123,9 @@ void run(const Reaction<T>& reaction, Model model, Sum sum) {
                 reaction.template single<Cubic>(sum);
             }
             break;
-        case Model::reinforcement: reaction.template single<Reinforcement>(sum); break;
+        case Model::reinforcement:
+            reaction.template single<Reinforcement>(sum);
+            break;
     }
 }
 

@@ -15,12 +15,18 @@ namespace {
 template <class T>
 bool holds(T left, Comparison comparison, T right) {
     switch (comparison) {
-        case Comparison::equal: return left == right;
-        case Comparison::not_equal: return left != right;
-        case Comparison::less: return left < right;
-        case Comparison::less_equal: return left <= right;
-        case Comparison::greater: return left > right;
-        case Comparison::greater_equal: return left >= right;
+        case Comparison::equal:
+            return left == right;
+        case Comparison::not_equal:
+            return left != right;
+        case Comparison::less:
+            return left < right;
+        case Comparison::less_equal:
+            return left <= right;
+        case Comparison::greater:
+            return left > right;
+        case Comparison::greater_equal:
+            return left >= right;
     }
     return false;
 }

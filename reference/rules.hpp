@@ -23,17 +23,17 @@ struct Remembered {
 
 struct Division {  // asked for by a `divide` rule
     std::size_t cell = 0;
-    std::size_t rule = 0;    // place in Experiment::rules
-    double degrees = 0.0;    // relative to the old polarity, deviation included; rounded to the precision of the run
+    std::size_t rule = 0;  // place in Experiment::rules
+    double degrees = 0.0;  // relative to the old polarity, deviation included; rounded to the precision of the run
 };
 
 // What rules ask of the rest of the iteration.
 template <class T>
 struct Requests {
-    std::vector<Remembered<T>> set_conc;    // [chemical]: due after diffusion, before the bounds
-    std::vector<std::int32_t> polarize;     // [cell]: chemical whose gradient to follow, -1: none; empty: no active rule
-    std::vector<Division> divisions;        // rule by rule, cells ascending; not judged by the division limit
-    std::vector<std::uint8_t> truth;        // [cell], working space
+    std::vector<Remembered<T>> set_conc;  // [chemical]: due after diffusion, before the bounds
+    std::vector<std::int32_t> polarize;   // [cell]: chemical whose gradient to follow, -1: none; empty: no active rule
+    std::vector<Division> divisions;      // rule by rule, cells ascending; not judged by the division limit
+    std::vector<std::uint8_t> truth;      // [cell], working space
 };
 
 // One iteration's rules, in file order, each for all cells. Every condition and operand reads `old`; `next` holds a

@@ -39,7 +39,8 @@ std::vector<T> row_sums(const Shape& shape, const PaddedRow<T>& row) {
     std::vector<T> sums(shape.columns);
     for (std::size_t column = 0; column < shape.columns; ++column) {
         const T sides = row.left(column) + row.right(column);
-        sums[column] = shape.stencil == Stencil::moore ? sides + row.own(column) : std::fma(T(4), row.own(column), sides);
+        sums[column] =
+            shape.stencil == Stencil::moore ? sides + row.own(column) : std::fma(T(4), row.own(column), sides);
     }
     return sums;
 }
@@ -54,8 +55,9 @@ void nine_cells(const Shape& shape, const std::vector<T>& field, std::vector<T>&
         for (std::size_t column = 0; column < shape.columns; ++column) {
             const std::size_t cell = row * shape.columns + column;
             const T outer = below[column] + above[column];
-            sums[cell] = shape.stencil == Stencil::moore ? std::fma(T(-9), field[cell], outer + own[column])
-                                                         : std::fma(T(-36), field[cell], std::fma(T(4), own[column], outer));
+            sums[cell] = shape.stencil == Stencil::moore
+                             ? std::fma(T(-9), field[cell], outer + own[column])
+                             : std::fma(T(-36), field[cell], std::fma(T(4), own[column], outer));
         }
         below = own;
         own = above;

@@ -11,10 +11,10 @@
 namespace pelage::reference {
 
 struct Neighbour {
-    std::uint32_t cell = 0;   // the cell's own id where `outside`
-    std::int8_t right = 0;    // -1, 0 or 1: from the cell to the neighbour
+    std::uint32_t cell = 0;  // the cell's own id where `outside`
+    std::int8_t right = 0;   // -1, 0 or 1: from the cell to the neighbour
     std::int8_t up = 0;
-    bool outside = false;     // beyond an absorbing edge: concentrations of 0
+    bool outside = false;  // beyond an absorbing edge: concentrations of 0
 };
 
 // The order in which a row takes the rows around it, as offsets of -1, 0, 1: from below upwards; but the published

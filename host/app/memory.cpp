@@ -21,7 +21,8 @@ namespace {
 double activations(const Rule& rule, std::uint64_t last) {
     const std::uint64_t first = next_active(rule, 0);
     if (last == 0 || first > last - 1) return 0;
-    return static_cast<double>((std::min(rule.until, last - 1) - first) / rule.every + 1);
+    const std::uint64_t count = (std::min(rule.until, last - 1) - first) / rule.every + 1;
+    return static_cast<double>(count);
 }
 
 double final_cells(const Experiment& experiment, std::uint64_t last) {

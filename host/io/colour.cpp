@@ -50,7 +50,7 @@ Rgb constant(const std::vector<ColourStop>& stops, double at) {
 }
 
 std::vector<Rgb> fill_slots(std::vector<ColourStop> stops, bool striped) {
-    const double last = static_cast<double>(slot_count - 1);
+    const auto last = static_cast<double>(slot_count - 1);
     for (auto& stop : stops) stop.at = std::round(stop.at * last);
     std::vector<Rgb> slots;
     for (std::size_t i = 0; i < slot_count; ++i) {

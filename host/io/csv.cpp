@@ -18,7 +18,7 @@ constexpr std::size_t bytes_at_once = 1 << 20;
 
 // In quotes where it holds a comma, a quote or the end of a line (RFC 4180).
 std::string quoted(const std::string& text) {
-    if (text.find_first_of(",\"\r\n") == text.npos) return text;
+    if (text.find_first_of(",\"\r\n") == std::string::npos) return text;
     std::string result = "\"";
     for (const char c : text) result += c == '"' ? std::string("\"\"") : std::string(1, c);
     return result + '"';

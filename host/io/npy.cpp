@@ -4,13 +4,12 @@
 #include "core/error.hpp"
 #include "io/atomic_file.hpp"
 #include "io/file_bytes.hpp"
+#include "io/npy_header.hpp"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 #include <algorithm>
 #include <array>
-#include <cctype>
-#include <charconv>
 #include <cstdint>
 #include <limits>
 #include <map>
@@ -20,104 +19,6 @@ namespace pelage {
 namespace {
 
 constexpr std::string_view magic{"\x93NUMPY", 6};
-
-struct Header {
-    std::string descr;
-    bool fortran_order = false;
-    std::vector<std::size_t> shape;
-};
-
-// Reads the Python dictionary of the header: {'descr': '<f4', 'fortran_order': False, 'shape': (3, 4), }
-class HeaderReader {
-public:
-    HeaderReader(std::string_view text, std::string_view name) : text_(text), name_(name) {}
-
-    Header read() {
-        Header header;
-        unsigned seen = 0;
-        expect('{');
-        while (!accept('}')) {
-            const auto key = string();
-            expect(':');
-            seen |= entry(key, header);
-            if (!accept(',') && peek() != '}') fail("a ',' is missing in its header");
-        }
-        if (seen != 7) fail("its header must hold 'descr', 'fortran_order' and 'shape'");
-        return header;
-    }
-
-private:
-    unsigned entry(const std::string& key, Header& header) {
-        if (key == "descr") {
-            if (peek() == '[') fail("structured types cannot be read; allowed are plain numbers");
-            header.descr = string();
-            return 1;
-        }
-        if (key == "fortran_order") {
-            header.fortran_order = truth();
-            return 2;
-        }
-        if (key != "shape") fail(fmt::format("unknown entry '{}' in its header", key));
-        header.shape = tuple();
-        return 4;
-    }
-
-    std::string string() {
-        const char quote = peek();
-        if (quote != '\'' && quote != '"') fail("a name in quotes is missing in its header");
-        const auto end = text_.find(quote, at_ + 1);
-        if (end == text_.npos) fail("a quote is not closed in its header");
-        const std::string value(text_.substr(at_ + 1, end - at_ - 1));
-        at_ = end + 1;
-        return value;
-    }
-
-    bool truth() {
-        peek();
-        for (const bool value : {true, false}) {
-            const std::string_view word = value ? "True" : "False";
-            if (text_.substr(at_, word.size()) != word) continue;
-            at_ += word.size();
-            return value;
-        }
-        fail("'fortran_order' must be True or False");
-    }
-
-    std::vector<std::size_t> tuple() {
-        std::vector<std::size_t> values;
-        expect('(');
-        while (!accept(')')) {
-            peek();
-            std::size_t value = 0;
-            const auto [end, error] = std::from_chars(text_.data() + at_, text_.data() + text_.size(), value);
-            if (error != std::errc()) fail("its shape must be a tuple of whole numbers");
-            at_ = static_cast<std::size_t>(end - text_.data());
-            values.push_back(value);
-            if (!accept(',') && peek() != ')') fail("its shape must be a tuple of whole numbers");
-        }
-        return values;
-    }
-
-    char peek() {
-        while (at_ < text_.size() && std::isspace(static_cast<unsigned char>(text_[at_])) != 0) ++at_;
-        return at_ < text_.size() ? text_[at_] : '\0';
-    }
-    bool accept(char wanted) {
-        if (peek() != wanted) return false;
-        ++at_;
-        return true;
-    }
-    void expect(char wanted) {
-        if (!accept(wanted)) fail(fmt::format("a '{}' is missing in its header", wanted));
-    }
-    [[noreturn]] void fail(const std::string& what) const {
-        throw Error(fmt::format("'{}' cannot be read as an .npy array: {}", name_, what));
-    }
-
-    std::string_view text_;
-    std::string_view name_;
-    std::size_t at_ = 0;
-};
 
 struct Type {
     std::size_t size;
@@ -148,7 +49,7 @@ std::string_view header_text(std::string_view bytes, std::string_view name) {
     if (bytes.substr(0, magic.size()) != magic) throw Error(fmt::format("'{}' is not an .npy file", name));
     const auto truncated = [&] { return Error(fmt::format("'{}' is truncated: its .npy header is not whole", name)); };
     if (bytes.size() < 10) throw truncated();
-    const int version = bytes[6];
+    const int version = static_cast<unsigned char>(bytes[6]);
     if (version < 1 || version > 3) {
         throw Error(fmt::format("'{}' has .npy format version {}; allowed are 1 to 3", name, version));
     }
@@ -185,7 +86,7 @@ std::vector<double> transposed(const std::vector<double>& values, std::size_t ro
 
 NpyArray parse_npy(std::string_view bytes, std::string_view name) {
     const auto text = header_text(bytes, name);
-    const auto header = HeaderReader(text, name).read();
+    const auto header = parse_npy_header(text, name);
     const auto type = find_type(header.descr, name);
     const auto count = count_values(header.shape, name);
     const auto data = bytes.substr(static_cast<std::size_t>(text.data() - bytes.data()) + text.size());

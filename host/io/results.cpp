@@ -128,6 +128,7 @@ private:
         const std::string name = stem_ == "final" ? "texture" : stem_ + ".texture";
         if (wanted(Format::exr)) {
             std::vector<std::span<const double>> layers;
+            layers.reserve(fields.size());
             for (const auto& field : fields) layers.emplace_back(field.values);
             write_layers(place(name + ".exr"), size[0], size[1], layers);
         }

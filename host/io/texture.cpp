@@ -77,6 +77,17 @@ double spacing_around(const Tree& tree, const Snapshot& cells, std::size_t cell)
     return found > 1 ? sum / static_cast<double>(found - 1) : 0.0;  // the cell itself adds 0
 }
 
+std::size_t nearest_cell(const Tree& tree, const Window& window, std::size_t texel) {
+    const auto row = texel / window.columns;
+    const auto column = texel % window.columns;
+    const double place[2] = {window.left + (static_cast<double>(column) + 0.5) * window.width,
+                             window.bottom + (static_cast<double>(row) + 0.5) * window.height};
+    std::size_t nearest = 0;
+    double square = 0.0;
+    tree.knnSearch(place, 1, &nearest, &square);
+    return nearest;
+}
+
 double weight(double square) {  // of q^2 < 1
     const double q = std::sqrt(square);
     const double rest = (1 - q) * (1 - q);
@@ -177,18 +188,11 @@ std::vector<Field> interpolate(const Snapshot& cells, const std::vector<std::vec
 
     std::vector<Field> result(values.size(), Field{columns, rows, std::vector<double>(columns * rows)});
     for (std::size_t texel = 0; texel < columns * rows; ++texel) {
-        if (sums.weight_of(texel) > 0.0) {
-            for (std::size_t field = 0; field < values.size(); ++field)
-                result[field].values[texel] = sums.mean(texel, field);
-            continue;
+        const bool reached = sums.weight_of(texel) > 0.0;
+        const auto nearest = reached ? 0 : nearest_cell(find_tree(), window, texel);
+        for (std::size_t field = 0; field < values.size(); ++field) {
+            result[field].values[texel] = reached ? sums.mean(texel, field) : values[field][nearest];
         }
-        const double place[2] = {window.left + (static_cast<double>(texel % columns) + 0.5) * window.width,
-                                 window.bottom + (static_cast<double>(texel / columns) + 0.5) * window.height};
-        std::size_t nearest = 0;
-        double square = 0.0;
-        find_tree().knnSearch(place, 1, &nearest, &square);
-        for (std::size_t field = 0; field < values.size(); ++field)
-            result[field].values[texel] = values[field][nearest];
     }
     return result;
 }

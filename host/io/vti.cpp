@@ -15,7 +15,7 @@ void write_vti(const std::filesystem::path& path, const Snapshot& snapshot, cons
     AtomicFile file(path);
     const auto extent = fmt::format("0 {} 0 {} 0 0", snapshot.columns, snapshot.rows);
     open_vtk(file, "ImageData", snapshot.iteration,
-             fmt::format("WholeExtent=\"{}\" Origin=\"{} {} 0\" Spacing=\"2 2 2\"", extent,
+             fmt::format(R"(WholeExtent="{}" Origin="{} {} 0" Spacing="2 2 2")", extent,
                          snapshot.origin_x - static_cast<double>(snapshot.columns),
                          snapshot.origin_y - static_cast<double>(snapshot.rows)));
     const auto& first = experiment.chemicals.empty() ? "" : experiment.chemicals[0].name;

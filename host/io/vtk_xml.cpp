@@ -35,7 +35,7 @@ std::string xml_escaped(std::string_view text) {
 }
 
 void Base64::put_triple() {
-    const unsigned bits = triple_[0] << 16u | triple_[1] << 8u | triple_[2];
+    const auto bits = static_cast<unsigned>(triple_[0] << 16 | triple_[1] << 8 | triple_[2]);
     for (const unsigned shift : {18u, 12u, 6u, 0u}) letters_ += alphabet[bits >> shift & 63u];
     triple_ = {};
     filled_ = 0;

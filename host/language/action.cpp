@@ -18,13 +18,14 @@ constexpr std::array models{Model::turing, Model::gray_scott, Model::linear,
 
 std::vector<std::string_view> model_words() {
     std::vector<std::string_view> words;
+    words.reserve(models.size());
     for (const Model model : models) words.push_back(model_name(model));
     return words;
 }
 
 [[noreturn]] void unknown_partner(const Script& script, const Cursor& cursor) {
     std::vector<std::string_view> words = model_words();
-    words.push_back("scale");
+    words.emplace_back("scale");
     const Token& token = cursor.peek();
     for (const std::string_view name : script.chemical_names()) words.push_back(name);
     if (cursor.done()) cursor.unknown(token, words);

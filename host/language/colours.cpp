@@ -191,8 +191,8 @@ std::optional<Colour> find_colour(std::string_view text) {
         if (error == std::errc{} && end == text.data() + text.size()) return split(rgb);
     }
     const std::string lower = lower_case(text);
-    const auto found = std::lower_bound(named.begin(), named.end(), lower,
-                                        [](const Named& one, const std::string& name) { return one.name < name; });
+    const auto* const found = std::lower_bound(
+        named.begin(), named.end(), lower, [](const Named& one, const std::string& name) { return one.name < name; });
     if (found == named.end() || found->name != lower) return std::nullopt;
     return split(found->rgb);
 }
@@ -200,6 +200,7 @@ std::optional<Colour> find_colour(std::string_view text) {
 Colour parse_colour(const Cursor& cursor, const Token& token) {
     if (const auto colour = find_colour(token.text)) return *colour;
     std::vector<std::string_view> names;
+    names.reserve(named.size());
     for (const Named& one : named) names.push_back(one.name);
     cursor.fail(token, fmt::format("unknown colour '{}'; allowed are CSS names and RRGGBB in hexadecimal{}",
                                    shortened(token.text), suggestion(lower_case(token.text), names)));

@@ -5,12 +5,13 @@
 #include <fmt/format.h>
 
 #include <array>
-#include <cmath>
+#include <limits>
 
 namespace pelage::language {
 
 namespace {
 
+constexpr std::array<std::string_view, 6> chemical_words{"limit", "floor", "conc", "channel", "from", "anisotropic"};
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
 struct PictureOptions {
@@ -20,45 +21,49 @@ struct PictureOptions {
     double high = 1.0;
 };
 
+struct ChemicalOptions {
+    Bounds bounds;
+    bool anisotropic = false;
+    PictureOptions picture;
+};
+
 double parse_bound(Cursor& cursor, std::string_view what, double none) {
     if (cursor.take("none")) return none;
     return cursor.number(what);
 }
 
-// Adds what the options say; `initial` is empty where a picture is not allowed.
-void parse_options(Cursor& cursor, Bounds& bounds, Chemical* initial, PictureOptions* picture) {
-    static constexpr std::array<std::string_view, 6> words{"limit", "floor", "conc", "channel", "from", "anisotropic"};
-    Options options(initial == nullptr ? Words(words).first(2) : Words(words));
+void parse_scale(Cursor& cursor, PictureOptions& picture) {
+    picture.low = cursor.number("the lowest value");
+    cursor.expect("to");
+    picture.high = cursor.number("the highest value");
+}
+
+// Changes what the options say and leaves the rest as it is.
+void parse_options(Cursor& cursor, Words words, ChemicalOptions& chemical) {
+    PictureOptions& picture = chemical.picture;
+    Options options(words);
+    const Token* of_picture = nullptr;
     while (true) {
         const Token& token = cursor.peek();
         const auto option = options.next(cursor);
         if (!option) break;
-        switch (*option) {
-            case 0:
-                bounds.limit = parse_bound(cursor, "the limit", infinity);
-                break;
-            case 1:
-                bounds.floor = parse_bound(cursor, "the floor", -infinity);
-                break;
-            case 2:
-                picture->file = &cursor.text("the picture's name");
-                break;
-            case 3:
-                picture->channel = std::string(cursor.peek().quoted ? cursor.text("the channel").text
-                                                                    : cursor.value("the channel").text);
-                break;
-            case 4:
-                picture->low = cursor.number("the lowest value");
-                cursor.expect("to");
-                picture->high = cursor.number("the highest value");
-                break;
-            default:
-                initial->anisotropic = true;
-        }
-        if ((*option == 3 || *option == 4) && !options.given(2)) {
-            cursor.fail(token,
-                        fmt::format("'{}' belongs to a picture; write 'conc \"PICTURE\"' before it", token.text));
-        }
+        const std::string_view word = words[*option];
+        if (word == "channel" || word == "from") of_picture = &token;
+        if (word == "limit")
+            chemical.bounds.limit = parse_bound(cursor, "the limit", infinity);
+        else if (word == "floor")
+            chemical.bounds.floor = parse_bound(cursor, "the floor", -infinity);
+        else if (word == "conc")
+            picture.file = &cursor.text("the picture's name");
+        else if (word == "channel")
+            picture.channel = (cursor.peek().quoted ? cursor.next() : cursor.value("the channel")).text;
+        else if (word == "from")
+            parse_scale(cursor, picture);
+        else
+            chemical.anisotropic = true;
+    }
+    if (of_picture != nullptr && picture.file == nullptr) {
+        cursor.fail(*of_picture, fmt::format("'{}' belongs to a picture; add 'conc \"PICTURE\"'", of_picture->text));
     }
 }
 
@@ -69,7 +74,7 @@ void check_bounds(const Cursor& cursor, const Token& name, const Bounds& bounds)
 
 std::shared_ptr<const Field> load(const Script& script, const Cursor& cursor, const PictureOptions& picture) {
     try {
-        const auto field = read_field(script.resolve(picture.file->text), picture.channel);
+        auto field = read_field(script.resolve(picture.file->text), picture.channel);
         if (picture.low == 0.0 && picture.high == 1.0) return field;
         auto scaled = std::make_shared<Field>(*field);
         for (double& value : scaled->values) value = picture.low + value * (picture.high - picture.low);
@@ -83,8 +88,10 @@ std::shared_ptr<const Field> load(const Script& script, const Cursor& cursor, co
 void parse_phase_bounds(Script& script, Cursor& cursor) {
     const Token& name = cursor.peek();
     Bounds& bounds = script.phase().bounds[script.chemical(cursor)];
-    parse_options(cursor, bounds, nullptr, nullptr);
-    check_bounds(cursor, name, bounds);
+    ChemicalOptions options{bounds, false, {}};
+    parse_options(cursor, Words(chemical_words).first(2), options);
+    check_bounds(cursor, name, options.bounds);
+    bounds = options.bounds;
 }
 
 void parse_chemical(Script& script, Cursor& cursor) {
@@ -100,12 +107,14 @@ void parse_chemical(Script& script, Cursor& cursor) {
     }
     Chemical chemical;
     chemical.name = std::string(name.text);
-    PictureOptions picture;
-    parse_options(cursor, chemical.bounds, &chemical, &picture);
-    check_bounds(cursor, name, chemical.bounds);
-    if (picture.file != nullptr) {
-        chemical.initial = load(script, cursor, picture);
-        script.shows_picture(cursor, *picture.file);
+    ChemicalOptions options;
+    parse_options(cursor, chemical_words, options);
+    check_bounds(cursor, name, options.bounds);
+    chemical.bounds = options.bounds;
+    chemical.anisotropic = options.anisotropic;
+    if (options.picture.file != nullptr) {
+        chemical.initial = load(script, cursor, options.picture);
+        script.shows_picture(cursor, *options.picture.file);
     }
     script.phase().bounds.push_back(chemical.bounds);
     chemicals.push_back(std::move(chemical));

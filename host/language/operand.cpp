@@ -29,8 +29,9 @@ constexpr std::array<Word, 11> words{{{"NEIGHBORS", Quantity::neighbours},
                                       {"RANDOM", Quantity::random}}};
 
 const Word* find_word(std::string_view text) {
-    const auto found = std::find_if(words.begin(), words.end(), [&](const Word& word) { return word.text == text; });
-    return found == words.end() ? nullptr : &*found;
+    const auto* const found =
+        std::find_if(words.begin(), words.end(), [&](const Word& word) { return word.text == text; });
+    return found == words.end() ? nullptr : found;
 }
 
 bool needs_lattice(Quantity quantity) {

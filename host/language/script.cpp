@@ -73,7 +73,7 @@ void Script::create(const Cursor& cursor, const Token& at, const Statement& stat
     }
     matrix_ = matrix_ || matrix;
     cells_ += cells;
-    experiment.prepattern.push_back(statement);
+    experiment.prepattern.emplace_back(statement);
 }
 
 void Script::begin_phase(std::string name, std::uint64_t steps) {

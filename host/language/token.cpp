@@ -22,7 +22,7 @@ Cursor::Cursor(std::string_view source, std::size_t line, std::string_view text,
 
 Cursor Cursor::inside(const Token& quoted) const {
     const std::size_t from = quoted.offset + 1;
-    return Cursor(source_, line_, text_, from, from + quoted.text.size(), true);
+    return {source_, line_, text_, from, from + quoted.text.size(), true};
 }
 
 void Cursor::split(std::size_t from, std::size_t to, bool commas) {

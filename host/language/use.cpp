@@ -52,7 +52,7 @@ void use_chemical(Script& script, Cursor& cursor) {
         else
             use.diff = parse_spread(cursor, "the diffusion rate");
     }
-    script.experiment.prepattern.push_back(use);
+    script.experiment.prepattern.emplace_back(use);
 }
 
 }  // namespace
@@ -64,9 +64,9 @@ void parse_use(Script& script, Cursor& cursor) {
     if (what == 0) return use_chemical(script, cursor);
     script.outside_phases(cursor, word, fmt::format("use {}", word.text));
     if (what == 1)
-        script.experiment.prepattern.push_back(UsePolarity{parse_degrees(cursor)});
+        script.experiment.prepattern.emplace_back(UsePolarity{parse_degrees(cursor)});
     else
-        script.experiment.prepattern.push_back(UseSeed{cursor.signed_integer("the seed")});
+        script.experiment.prepattern.emplace_back(UseSeed{cursor.signed_integer("the seed")});
 }
 
 }  // namespace pelage::language

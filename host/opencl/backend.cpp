@@ -32,6 +32,7 @@ public:
 
     using Backend::make_tissue;
     std::unique_ptr<Tissue> make_tissue(const Experiment& experiment, const Snapshot& initial) override {
+        validate(experiment);
         const std::string reason = why_not(experiment);
         if (!reason.empty()) throw Error(experiment.source + ": " + reason);
         auto shared = std::make_shared<const Experiment>(experiment);

@@ -24,7 +24,7 @@ struct OpenclOptions {
     std::size_t width = 0;       // cells a work-item handles side by side, 1, 2, 4, 8 or 16; 0: ours to choose
     bool fuse = true;            // several iterations a pass over memory, where the rules allow it
     NeighbourSearch neighbours = NeighbourSearch::bins;  // of free cells
-    SpatialSorting sorting;
+    SpatialSorting sorting;                              // for spatial_sorting
 };
 
 class OpenclBackend : public Backend {

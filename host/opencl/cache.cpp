@@ -38,7 +38,8 @@ std::string key_text(const CacheKey& key) {
 
 std::string entry_text(const CacheKey& key, const Binary& binary) {
     const std::string body = key_text(key) + std::string(binary.begin(), binary.end());
-    return fmt::format("{}{:016x} {:016x} {:016x}\n", magic, body.size() - binary.size(), binary.size(), hash(body)) + body;
+    return fmt::format("{}{:016x} {:016x} {:016x}\n", magic, body.size() - binary.size(), binary.size(), hash(body)) +
+           body;
 }
 
 std::optional<std::string> contents(const std::filesystem::path& path) {

@@ -32,9 +32,8 @@ struct Progress {  // struct pelage_progress of kernels/cells_state.cl
 };
 
 std::size_t divide_rules(const Experiment& experiment) {
-    return static_cast<std::size_t>(std::ranges::count_if(experiment.rules, [](const Rule& rule) {
-        return std::holds_alternative<Divide>(rule.action);
-    }));
+    return static_cast<std::size_t>(std::ranges::count_if(
+        experiment.rules, [](const Rule& rule) { return std::holds_alternative<Divide>(rule.action); }));
 }
 
 std::string service_source() {
@@ -61,7 +60,9 @@ public:
 private:
     std::size_t do_cells() const override { return static_cast<std::size_t>(state_.cells()); }
     void do_advance(std::uint64_t first, std::uint64_t count) override;
-    void do_expand(const Insertion&) override { throw Error("only a lattice can be expanded; this tissue has free cells"); }
+    void do_expand(const Insertion&) override {
+        throw Error("only a lattice can be expanded; this tissue has free cells");
+    }
     void do_set_rate(std::size_t chemical, double rate) override { state_.fill_rate(chemical, rate); }
     Snapshot do_read() const override;
     void do_write(const Snapshot& snapshot) override;
@@ -189,7 +190,8 @@ cl_uint OpenclCells::bind(cl::Kernel& kernel, const CellsWritten& written, bool 
     double half_width = domain.width / 2;
     double half_height = domain.height / 2;
     if (domain.packed) {
-        half_width = session_->is_double() ? packed_half<double>(do_cells(), domain.area) : packed_half<float>(do_cells(), domain.area);
+        half_width = session_->is_double() ? packed_half<double>(do_cells(), domain.area)
+                                           : packed_half<float>(do_cells(), domain.area);
         half_height = half_width;
     }
     Arguments arguments(*session_, kernel);
@@ -227,7 +229,7 @@ void OpenclCells::conclude(const CellsStep& step, std::uint64_t first, std::size
 void OpenclCells::divide(const CellsWritten& written, std::uint64_t iteration, std::size_t children) {
     const std::size_t cells = do_cells();
     try {
-        state_.reserve(cells + children);
+        state_.grow(cells + children);
     } catch (const Error& error) {
         throw Error(fmt::format("growth at iteration {}: {}", iteration, error.what()));
     }
@@ -252,8 +254,10 @@ void OpenclCells::build_lists() {
         matrix_->update(state_.now(CellArray::position), state_.pitch(), state_.cells());
     } else {
         const double reach = (interaction_range + options_.skin) * (1 + 1e-5);  // wider than any rounding of positions
+        bins_.reserve(static_cast<std::size_t>(state_.pitch()));
         bins_.sort(state_.now(CellArray::position), state_.pitch(), state_.cells(), reach);
-        const auto items = static_cast<cl_int>(std::clamp<std::size_t>(do_cells() / 1024, 1, tuning_.width > 1 ? tuning_.chunks : do_cells()));
+        const auto items = static_cast<cl_int>(
+            std::clamp<std::size_t>(do_cells() / 1024, 1, tuning_.width > 1 ? tuning_.chunks : do_cells()));
         Arguments arguments(*session_, gather_);
         arguments.add(state_.cells(), state_.pitch(), items, state_.chemicals(), state_.mappings(), bins_.order());
         state_.add_now(arguments);
@@ -271,7 +275,8 @@ void OpenclCells::find_lists() {
         matrix_->find(state_.now(CellArray::id), lists_);
     } else {
         const double reach = (interaction_range + options_.skin) * (1 + 1e-5);
-        bins_.find(state_.now(CellArray::position), state_.pitch(), state_.now(CellArray::id), state_.cells(), reach, lists_);
+        bins_.find(state_.now(CellArray::position), state_.pitch(), state_.now(CellArray::id), state_.cells(), reach,
+                   lists_);
     }
     fresh_ = true;
 }
@@ -283,7 +288,7 @@ void OpenclCells::make_longer_lists() {
     if (longest <= lists_.capacity) {
         throw Error(fmt::format("device '{}' did not carry out a step, without a reason", session_->info().name));
     }
-    lists_.reserve(*session_, static_cast<std::size_t>(state_.pitch()), longest + longest / 4);
+    lists_.reserve(*session_, static_cast<std::size_t>(state_.pitch()), (longest + longest / 4 + 15) / 16 * 16);
     find_lists();
 }
 
@@ -295,7 +300,8 @@ std::optional<SearchStatistics> OpenclCells::search_statistics() const {
 std::optional<NonFinite> OpenclCells::do_non_finite() const {
     return with_device(session_->info().name, [&]() -> std::optional<NonFinite> {
         session_->queue().enqueueFillBuffer(found_, cl_int{0}, 0, sizeof(cl_int));
-        Arguments(*session_, check_).add(state_.now(CellArray::conc), state_.cells(), state_.pitch(), state_.chemicals(), found_);
+        Arguments(*session_, check_)
+            .add(state_.now(CellArray::conc), state_.cells(), state_.pitch(), state_.chemicals(), found_);
         launch(*session_, check_, do_cells(), tuning_.group);
         cl_int found = 0;
         session_->queue().enqueueReadBuffer(found_, CL_TRUE, 0, sizeof found, &found);

@@ -19,7 +19,7 @@ struct CellsOptions {
     // Of the exact search. None of these changes a result.
     double skin = 0.3;       // how much farther than 3 lists look, so that they last while cells move
     std::size_t batch = 32;  // most iterations that are enqueued before the host looks at them
-    int list_capacity = 24;  // entries a list to begin with, at least 16
+    int list_capacity = 32;  // entries a list to begin with, at least 16
     std::optional<NeighbourTuning> tuning;
 };
 

@@ -36,8 +36,9 @@ void CellMirrors::enqueue(const CellsState& state, const cl::Buffer& progress, i
     for (std::size_t round = 0; round + 1 < rounds_.size(); ++round) {
         const std::size_t count = rounds_[round + 1] - rounds_[round];
         Arguments(session_, kernel_)
-            .add(sorted_, static_cast<cl_int>(rounds_[round]), static_cast<cl_int>(count), state.pitch(), state.chemicals(),
-                 state.place_of(), progress, step, in_spare ? state.spare(CellArray::conc) : state.now(CellArray::conc),
+            .add(sorted_, static_cast<cl_int>(rounds_[round]), static_cast<cl_int>(count), state.pitch(),
+                 state.chemicals(), state.place_of(), progress, step,
+                 in_spare ? state.spare(CellArray::conc) : state.now(CellArray::conc),
                  in_spare ? state.spare(CellArray::rate) : state.now(CellArray::rate));
         launch(session_, kernel_, count, std::min<std::size_t>(count, 16));
     }

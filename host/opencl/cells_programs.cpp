@@ -44,7 +44,8 @@ CellsStep& CellsPrograms::at(std::uint64_t iteration, std::uint64_t& until) {
     const Key key{place, brief, active};
     const auto known = steps_.find(key);
     if (known != steps_.end()) return known->second;
-    const CellsSource source = cells_step_source(experiment_, active, brief, phase, plan_, session_.options().precision, width_);
+    const CellsSource source =
+        cells_step_source(experiment_, active, brief, phase, plan_, session_.options().precision, width_);
     const cl::Program program = session_.build(source.text);
     CellsStep step{cl::Kernel(program, "pelage_cells_step"), cl::Kernel(program, "pelage_cells_step"), source.written};
     return steps_.emplace(key, std::move(step)).first->second;

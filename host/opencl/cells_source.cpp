@@ -86,10 +86,12 @@ public:
         if (anisotropic()) {
             line("const real other_px = GATHER(polarity_old, other);");
             line("const real other_py = GATHER(polarity_old + pitch, other);");
-            line("const real along = SELECT(((px == R(0)) & (py == R(0))) | (norm == R(0)), R(1), "
-                 "fabs(dx * px + dy * py) / norm);");
-            line("const real other_along = SELECT(((other_px == R(0)) & (other_py == R(0))) | (norm == R(0)), R(1), "
-                 "fabs(dx * other_px + dy * other_py) / norm);");
+            line(
+                "const real along = SELECT(((px == R(0)) & (py == R(0))) | (norm == R(0)), R(1), "
+                "fabs(dx * px + dy * py) / norm);");
+            line(
+                "const real other_along = SELECT(((other_px == R(0)) & (other_py == R(0))) | (norm == R(0)), R(1), "
+                "fabs(dx * other_px + dy * other_py) / norm);");
         }
         for (std::size_t i = 0; i < chemicals(); ++i) exchange(i);
         return take();
@@ -126,12 +128,8 @@ private:
     }
 
     bool needs_polarity() const { return written_.polarity || rules_.use.polarity || anisotropic(); }
-    bool needs_rate(std::size_t i) const {
-        return written_.rate || diffuses(i) || rules_.use.rates_read.contains(i);
-    }
-    bool needs_mapping(std::size_t i) const {
-        return written_.mapping || rules_.use.mappings_read.contains(i);
-    }
+    bool needs_rate(std::size_t i) const { return written_.rate || diffuses(i) || rules_.use.rates_read.contains(i); }
+    bool needs_mapping(std::size_t i) const { return written_.mapping || rules_.use.mappings_read.contains(i); }
 
     // What one neighbour adds to chemical i and to its gradient.
     void exchange(std::size_t i) {
@@ -151,20 +149,26 @@ private:
             line("n{0} = SELECT(near, n{0} + ((r{0} * step{0}) * dt), n{0});", i);
             return;
         }
-        const std::string theirs = uniform ? fmt::format("r{}", i) : fmt::format("GATHER(rate_old + {}L * pitch, other)", i);
+        const std::string theirs =
+            uniform ? fmt::format("r{}", i) : fmt::format("GATHER(rate_old + {}L * pitch, other)", i);
         line("const real mine{0} = r{0}{1};", i, anisotropic(i) ? " * along" : "");
         line("const real theirs{0} = {1}{2};", i, theirs, anisotropic(i) ? " * other_along" : "");
         line("real shared{0} = mine{0};", i);
         line("const mask unlike{0} = !(mine{0} == theirs{0});", i);
-        line("if (ANY(unlike{0})) shared{0} = SELECT(unlike{0}, (R(2) * (mine{0} * theirs{0})) / (mine{0} + theirs{0}), mine{0});", i);
+        line(
+            "if (ANY(unlike{0})) shared{0} = SELECT(unlike{0}, (R(2) * (mine{0} * theirs{0})) / (mine{0} + theirs{0}), "
+            "mine{0});",
+            i);
         line("n{0} = SELECT(near, n{0} + ((shared{0} * step{0}) * dt), n{0});", i);
     }
 
     void bound(std::size_t i) {
         const Bounds& bounds = phase_.bounds[i];
         std::string value = fmt::format("n{}", i);
-        if (!std::isinf(bounds.limit)) value = fmt::format("SELECT(n{0} > {1}, {1}, {2})", i, number(bounds.limit), value);
-        if (!std::isinf(bounds.floor)) value = fmt::format("SELECT(n{0} < {1}, {1}, {2})", i, number(bounds.floor), value);
+        if (!std::isinf(bounds.limit))
+            value = fmt::format("SELECT(n{0} > {1}, {1}, {2})", i, number(bounds.limit), value);
+        if (!std::isinf(bounds.floor))
+            value = fmt::format("SELECT(n{0} < {1}, {1}, {2})", i, number(bounds.floor), value);
         line("n{} = {};", i, value);
     }
 
@@ -207,11 +211,16 @@ bool changes(const CellsWritten& written, CellArray array) {
     switch (array) {
         case CellArray::position:
         case CellArray::conc:
-        case CellArray::neighbours: return true;
-        case CellArray::rate: return written.rate;
-        case CellArray::polarity: return written.polarity;
-        case CellArray::mapping: return written.mapping;
-        default: return false;
+        case CellArray::neighbours:
+            return true;
+        case CellArray::rate:
+            return written.rate;
+        case CellArray::polarity:
+            return written.polarity;
+        case CellArray::mapping:
+            return written.mapping;
+        default:
+            return false;
     }
 }
 

@@ -14,8 +14,9 @@ namespace pelage {
 
 namespace {
 
-constexpr std::array<const char*, cell_array_count> names{"positions", "concentrations", "rates", "polarities", "mappings",
-                                                          "neighbour counts", "ids", "births", "fixed marks"};
+constexpr std::array<const char*, cell_array_count> names{"positions",  "concentrations", "rates",
+                                                          "polarities", "mappings",       "neighbour counts",
+                                                          "ids",        "births",         "fixed marks"};
 
 bool integers(std::size_t array) { return array >= static_cast<std::size_t>(CellArray::neighbours); }
 
@@ -67,16 +68,17 @@ std::size_t CellsState::bytes_per_cell() const {
 
 void CellsState::check_memory(std::size_t cells) const {
     if (cells > largest_cell_count - 2 * extra_places) {
-        throw Error(fmt::format("{} cells; no more than {} can be addressed", cells, largest_cell_count - 2 * extra_places));
+        throw Error(
+            fmt::format("{} cells; no more than {} can be addressed", cells, largest_cell_count - 2 * extra_places));
     }
     const std::size_t bytes = bytes_per_cell() * cells;
     const std::size_t largest = std::max<std::size_t>(2, planes_[1]) * session_.scalar_bytes() * cells;
     const DeviceInfo& device = session_.info();
     if (bytes > device.memory || largest > device.max_allocation) {
-        throw Error(fmt::format("{} cells need {} MiB, {} MiB of them in one piece; device '{}' has {} MiB and allows {} MiB "
-                                "in one piece",
-                                cells, bytes >> 20, largest >> 20, device.name, device.memory >> 20,
-                                device.max_allocation >> 20));
+        throw Error(fmt::format(
+            "{} cells need {} MiB, {} MiB of them in one piece; device '{}' has {} MiB and allows {} MiB "
+            "in one piece",
+            cells, bytes >> 20, largest >> 20, device.name, device.memory >> 20, device.max_allocation >> 20));
     }
 }
 
@@ -104,6 +106,15 @@ void CellsState::reserve(std::size_t cells) {
     divides_ = grown(divides_, 1, sizeof(cl_uint), pitch, "marks of dividing cells");
     degrees_ = grown(degrees_, divide_rules_, session_.scalar_bytes(), pitch, "directions of division");
     pitch_ = pitch;
+}
+
+void CellsState::grow(std::size_t cells) {
+    if (cells + extra_places <= pitch_) return;
+    try {
+        reserve(std::max(cells, cells_ + cells_ / 2));
+    } catch (const Error&) {
+        reserve(cells);
+    }
 }
 
 void CellsState::upload(const Snapshot& snapshot) {

@@ -33,11 +33,14 @@ public:
 
     // Makes room for that many cells; what is there stays, in both sets. Throws Error when memory does not suffice.
     void reserve(std::size_t cells);
+    void grow(std::size_t cells);                              // as reserve(), with room for more where memory allows
     void append(std::size_t children) { cells_ += children; }  // that a kernel has written
 
     const cl::Buffer& now(CellArray array) const { return now_[static_cast<std::size_t>(array)]; }
     const cl::Buffer& spare(CellArray array) const { return spare_[static_cast<std::size_t>(array)]; }
-    void swap(CellArray array) { std::swap(now_[static_cast<std::size_t>(array)], spare_[static_cast<std::size_t>(array)]); }
+    void swap(CellArray array) {
+        std::swap(now_[static_cast<std::size_t>(array)], spare_[static_cast<std::size_t>(array)]);
+    }
     void swap_all() { std::swap(now_, spare_); }
 
     void add_now(Arguments&) const;
@@ -53,7 +56,8 @@ private:
 
     std::size_t element_bytes(std::size_t array) const;
     std::size_t bytes_per_cell() const;
-    cl::Buffer grown(const cl::Buffer&, std::size_t planes, std::size_t bytes, std::size_t pitch, const std::string& what) const;
+    cl::Buffer grown(const cl::Buffer&, std::size_t planes, std::size_t bytes, std::size_t pitch,
+                     const std::string& what) const;
     void check_memory(std::size_t cells) const;
 
     template <class T>

@@ -17,7 +17,7 @@ struct DeviceInfo {
     std::string vendor;
     std::string version;  // "OpenCL 3.0 ..."
     std::string driver;
-    std::string type;  // "gpu", "cpu", "accelerator" or "other"
+    std::string type;                  // "gpu", "cpu", "accelerator" or "other"
     std::uint64_t memory = 0;          // bytes
     std::uint64_t max_allocation = 0;  // bytes in one buffer
     std::uint32_t compute_units = 0;

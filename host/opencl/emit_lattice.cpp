@@ -17,28 +17,38 @@ namespace {
 
 const char* boundary_word(Boundary boundary) {
     switch (boundary) {
-        case Boundary::no_flux: return "PELAGE_NO_FLUX";
-        case Boundary::wrap: return "PELAGE_WRAP";
-        case Boundary::absorbing: return "PELAGE_ABSORBING";
+        case Boundary::no_flux:
+            return "PELAGE_NO_FLUX";
+        case Boundary::wrap:
+            return "PELAGE_WRAP";
+        case Boundary::absorbing:
+            return "PELAGE_ABSORBING";
     }
     return "";
 }
 
 const char* stencil_word(Stencil stencil) {
     switch (stencil) {
-        case Stencil::moore: return "PELAGE_MOORE";
-        case Stencil::nine_point: return "PELAGE_NINE_POINT";
-        case Stencil::five_point: return "PELAGE_FIVE_POINT";
-        case Stencil::sims: return "PELAGE_SIMS";
+        case Stencil::moore:
+            return "PELAGE_MOORE";
+        case Stencil::nine_point:
+            return "PELAGE_NINE_POINT";
+        case Stencil::five_point:
+            return "PELAGE_FIVE_POINT";
+        case Stencil::sims:
+            return "PELAGE_SIMS";
     }
     return "";
 }
 
 double neighbour_share(Stencil stencil, bool diagonal) {
     switch (stencil) {
-        case Stencil::nine_point: return diagonal ? 1.0 / 6 : 4.0 / 6;
-        case Stencil::sims: return diagonal ? 0.05 : 0.2;
-        default: return 1.0;
+        case Stencil::nine_point:
+            return diagonal ? 1.0 / 6 : 4.0 / 6;
+        case Stencil::sims:
+            return diagonal ? 0.05 : 0.2;
+        default:
+            return 1.0;
     }
 }
 
@@ -46,14 +56,18 @@ class LatticeEmitter {
 public:
     LatticeEmitter(const Experiment& experiment, const LatticePlan& plan, const RuleUse& use,
                    const std::vector<bool>& bounded, Precision precision)
-        : experiment_(experiment), plan_(plan), use_(use), bounded_(bounded), precision_(precision),
+        : experiment_(experiment),
+          plan_(plan),
+          use_(use),
+          bounded_(bounded),
+          precision_(precision),
           rate_planes_(rate_planes(plan)) {
         for (std::size_t i = 0; i < plan.rates.size(); ++i) polarity_ = polarity_ || directed(i);
         polarity_ = polarity_ || !use.polarizes.empty();
     }
 
     std::map<std::string, std::string> fills(const RuleText& text) const {
-        return {{"parameters", parameters()}, {"planes", planes()}, {"start", start()},       {"cell", cell()},
+        return {{"parameters", parameters()}, {"planes", planes()}, {"start", start()},        {"cell", cell()},
                 {"rules", text.rules},        {"visit", visit()},   {"replace", text.replace}, {"finish", finish()},
                 {"diffusion", diffusion()},   {"swap", swap()}};
     }
@@ -69,9 +83,7 @@ public:
 
 private:
     bool per_cell(std::size_t i) const { return plan_.rates[i] == RateKind::per_cell; }
-    bool directed(std::size_t i) const {
-        return per_cell(i) && plan_.polarity && experiment_.chemicals[i].anisotropic;
-    }
+    bool directed(std::size_t i) const { return per_cell(i) && plan_.polarity && experiment_.chemicals[i].anisotropic; }
     bool rolled(std::size_t i) const {
         return plan_.rates[i] == RateKind::uniform && plan_.arithmetic == Arithmetic::fused;
     }
@@ -113,23 +125,27 @@ private:
     }
 
     std::string planes() const {
-        std::string text = each("global scalar* const a{0} = PLANE(old_conc, {0});\n"
-                                "global scalar* const b{0} = PLANE(new_conc, {0});");
+        std::string text = each(
+            "global scalar* const a{0} = PLANE(old_conc, {0});\n"
+            "global scalar* const b{0} = PLANE(new_conc, {0});");
         for (std::size_t i = 0; i < plan_.rates.size(); ++i) {
             if (!per_cell(i)) continue;
             text += fmt::format("global scalar* const d{} = PLANE(old_rate, {});\n", i, rate_planes_[i]);
-            if (writes_rates()) text += fmt::format("global scalar* const f{} = PLANE(new_rate, {});\n", i, rate_planes_[i]);
+            if (writes_rates())
+                text += fmt::format("global scalar* const f{} = PLANE(new_rate, {});\n", i, rate_planes_[i]);
         }
         for (std::size_t i = 0; i < experiment_.mappings.size(); ++i) {
             if (maps(i)) text += fmt::format("global scalar* const map{0} = PLANE(mapping, {0});\n", i);
         }
         if (polarity_) {
-            text += "global scalar* const old_px = PLANE(old_polarity, 0);\n"
-                    "global scalar* const old_py = PLANE(old_polarity, 1);\n";
+            text +=
+                "global scalar* const old_px = PLANE(old_polarity, 0);\n"
+                "global scalar* const old_py = PLANE(old_polarity, 1);\n";
         }
         if (!use_.polarizes.empty()) {
-            text += "global scalar* const new_px = PLANE(new_polarity, 0);\n"
-                    "global scalar* const new_py = PLANE(new_polarity, 1);\n";
+            text +=
+                "global scalar* const new_px = PLANE(new_polarity, 0);\n"
+                "global scalar* const new_py = PLANE(new_polarity, 1);\n";
         }
         return text;
     }
@@ -158,7 +174,11 @@ private:
         std::string text;
         for (std::size_t i = 0; i < plan_.rates.size(); ++i) {
             if (!visited(i)) continue;
-            text += fmt::format("EXCHANGE_{}({})\n", directed(i) ? "DIRECTED" : per_cell(i) ? "PER_CELL" : "UNIFORM", i);
+            text += fmt::format("EXCHANGE_{}({})\n",
+                                directed(i)   ? "DIRECTED"
+                                : per_cell(i) ? "PER_CELL"
+                                              : "UNIFORM",
+                                i);
         }
         for (const std::size_t i : use_.polarizes) text += fmt::format("GRADIENT({})\n", i);
         return text;
@@ -240,7 +260,11 @@ std::string lattice_source(const Experiment& experiment, const LatticePlan& plan
                            const std::vector<bool>& bounded, Precision precision, std::size_t width) {
     const LatticeEmitter emitter(experiment, plan, rules.use, bounded, precision);
     Source source;
-    source.text(emitter.settings(width)).file("prelude.cl").file("philox.cl").file("lattice_rows.cl").file("stencil.cl");
+    source.text(emitter.settings(width))
+        .file("prelude.cl")
+        .file("philox.cl")
+        .file("lattice_rows.cl")
+        .file("stencil.cl");
     source.file("exchange.cl");
     for (const std::string& model : model_files(rules.use)) source.file(model);
     return source.file("lattice.cl", emitter.fills(rules)).str();

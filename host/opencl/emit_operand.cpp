@@ -23,26 +23,42 @@ std::string OperandEmitter::text(const Operand& operand) {
         return std::string(name);
     };
     switch (operand.quantity) {
-        case Quantity::number: return emit_number(operand.value, precision_);
-        case Quantity::neighbours: return quantity("GET_NEIGHBOURS");
-        case Quantity::age: return quantity("GET_AGE");
-        case Quantity::birth: return quantity("GET_BIRTH");
-        case Quantity::x: return quantity("GET_X");
-        case Quantity::y: return quantity("GET_Y");
-        case Quantity::row: return quantity("GET_ROW");
-        case Quantity::column: return quantity("GET_COLUMN");
-        case Quantity::rows: return quantity("GET_ROWS");
-        case Quantity::columns: return quantity("GET_COLUMNS");
-        case Quantity::iteration: return "R((scalar)iteration)";
+        case Quantity::number:
+            return emit_number(operand.value, precision_);
+        case Quantity::neighbours:
+            return quantity("GET_NEIGHBOURS");
+        case Quantity::age:
+            return quantity("GET_AGE");
+        case Quantity::birth:
+            return quantity("GET_BIRTH");
+        case Quantity::x:
+            return quantity("GET_X");
+        case Quantity::y:
+            return quantity("GET_Y");
+        case Quantity::row:
+            return quantity("GET_ROW");
+        case Quantity::column:
+            return quantity("GET_COLUMN");
+        case Quantity::rows:
+            return quantity("GET_ROWS");
+        case Quantity::columns:
+            return quantity("GET_COLUMNS");
+        case Quantity::iteration:
+            return "R((scalar)iteration)";
         case Quantity::random: {
             const std::uint32_t nth = randoms_++;
             const std::uint32_t purpose = purpose::operand + 16 * (nth / 4);
             need(purpose);
             return fmt::format("UNIT(w{}_{}.{})", rule_, purpose, "xyzw"[nth % 4]);
         }
-        case Quantity::concentration: return fmt::format("c{}", operand.index);
-        case Quantity::rate: use_.rates_read.insert(operand.index); return fmt::format("r{}", operand.index);
-        case Quantity::mapping: use_.mappings_read.insert(operand.index); return fmt::format("m{}", operand.index);
+        case Quantity::concentration:
+            return fmt::format("c{}", operand.index);
+        case Quantity::rate:
+            use_.rates_read.insert(operand.index);
+            return fmt::format("r{}", operand.index);
+        case Quantity::mapping:
+            use_.mappings_read.insert(operand.index);
+            return fmt::format("m{}", operand.index);
     }
     return "R(0)";
 }
@@ -55,8 +71,8 @@ std::string OperandEmitter::draw(std::uint32_t purpose) {
 void OperandEmitter::need(std::uint32_t purpose) {
     use_.random = true;
     if (!declared_.insert(purpose).second) return;
-    pending_ += fmt::format("const struct pelage_words w{0}_{1} = DRAW(id, iteration, {0}u, {1}u, seed_low, seed_high);\n",
-                            rule_, purpose);
+    pending_ += fmt::format(
+        "const struct pelage_words w{0}_{1} = DRAW(id, iteration, {0}u, {1}u, seed_low, seed_high);\n", rule_, purpose);
 }
 
 std::string OperandEmitter::take_draws() {

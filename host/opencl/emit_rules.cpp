@@ -24,12 +24,18 @@ bool acts_on_one(Model model) { return model == Model::cubic || model == Model::
 
 const char* symbol(Comparison comparison) {
     switch (comparison) {
-        case Comparison::equal: return "==";
-        case Comparison::not_equal: return "!=";
-        case Comparison::less: return "<";
-        case Comparison::less_equal: return "<=";
-        case Comparison::greater: return ">";
-        case Comparison::greater_equal: return ">=";
+        case Comparison::equal:
+            return "==";
+        case Comparison::not_equal:
+            return "!=";
+        case Comparison::less:
+            return "<";
+        case Comparison::less_equal:
+            return "<=";
+        case Comparison::greater:
+            return ">";
+        case Comparison::greater_equal:
+            return ">=";
     }
     return "==";
 }
@@ -37,8 +43,8 @@ const char* symbol(Comparison comparison) {
 // True at the iterations at which the rule acts, as Rule::active(); values past 32 bits never come.
 std::string interval(const Rule& rule) {
     const auto past = [](std::uint64_t value) { return value > largest_iteration; };
-    if (rule.offset > largest_iteration - std::min<std::uint64_t>(rule.origin, largest_iteration) || past(rule.origin) ||
-        past(rule.from)) {
+    if (rule.offset > largest_iteration - std::min<std::uint64_t>(rule.origin, largest_iteration) ||
+        past(rule.origin) || past(rule.from)) {
         return "0";
     }
     const std::uint64_t first = rule.origin + rule.offset;
@@ -113,7 +119,8 @@ private:
 
     std::string deviated(const Operand& amount, double deviation) {
         const std::string middle = operands_.text(amount);
-        if (static_cast<float>(deviation) == 0.0f && (precision_ == Precision::single_ || deviation == 0.0)) return middle;
+        if (static_cast<float>(deviation) == 0.0f && (precision_ == Precision::single_ || deviation == 0.0))
+            return middle;
         const std::string u = operands_.draw(purpose::deviation);
         return fmt::format("({} + {} * (({} + {}) - R(1)))", middle, number(deviation), u, u);
     }
@@ -158,10 +165,9 @@ private:
         const std::string from_low = number(map.from_low), from_high = number(map.from_high);
         const std::string to_low = number(map.to_low), to_high = number(map.to_high);
         guarded([&] {
-            assign(fmt::format("m{}", map.mapping),
-                   fmt::format("SELECT({0} < {1}, {3}, SELECT({0} > {2}, {4}, "
-                               "(({0} - {1}) / ({2} - {1})) * ({4} - {3}) + {3}))",
-                               value, from_low, from_high, to_low, to_high));
+            assign(fmt::format("m{}", map.mapping), fmt::format("SELECT({0} < {1}, {3}, SELECT({0} > {2}, {4}, "
+                                                                "(({0} - {1}) / ({2} - {1})) * ({4} - {3}) + {3}))",
+                                                                value, from_low, from_high, to_low, to_high));
         });
     }
 
@@ -246,7 +252,8 @@ RuleText emit_rules(const Experiment& experiment, const std::vector<bool>& activ
 
 std::vector<std::string> model_files(const RuleUse& use) {
     std::vector<std::string> files{"models/addition.cl"};
-    for (const std::size_t model : use.reacts) files.push_back("models/" + kernel_name(static_cast<Model>(model)) + ".cl");
+    for (const std::size_t model : use.reacts)
+        files.push_back("models/" + kernel_name(static_cast<Model>(model)) + ".cl");
     return files;
 }
 

@@ -32,10 +32,18 @@ public:
         : plan_(plan), use_(use), bounded_(bounded) {}
 
     std::map<std::string, std::string> fills(const RuleText& text) const {
-        return {{"parameters", parameters()}, {"planes", planes()},        {"fetch", fetch()},
-                {"resume", resume()},         {"suspend", suspend()},      {"row", row()},
-                {"cell", cell()},             {"rules", text.rules},       {"diffusion", diffusion()},
-                {"replace", text.replace},    {"finish", finish()},        {"put", put()}};
+        return {{"parameters", parameters()},
+                {"planes", planes()},
+                {"fetch", fetch()},
+                {"resume", resume()},
+                {"suspend", suspend()},
+                {"row", row()},
+                {"cell", cell()},
+                {"rules", text.rules},
+                {"diffusion", diffusion()},
+                {"replace", text.replace},
+                {"finish", finish()},
+                {"put", put()}};
     }
 
     std::size_t carried() const {
@@ -49,7 +57,8 @@ private:
     bool reads(Quantity quantity) const { return use_.quantities.contains(quantity); }
     bool absorbing() const { return plan_.boundary == Boundary::absorbing; }
 
-    // The formats, with {0} the chemical and {1} the first vector it carries: one for those that diffuse, one for others.
+    // The formats, with {0} the chemical and {1} the first vector it carries: one for those that diffuse, one for
+    // others.
     std::string each(const char* diffusing, const char* still) const {
         std::string text;
         std::size_t place = 0;
@@ -76,8 +85,9 @@ private:
     }
 
     std::string planes() const {
-        return each("global const scalar* const a{0} = PLANE(old_conc, {0});\n"
-                    "global scalar* const b{0} = PLANE(new_conc, {0});\n");
+        return each(
+            "global const scalar* const a{0} = PLANE(old_conc, {0});\n"
+            "global scalar* const b{0} = PLANE(new_conc, {0});\n");
     }
     std::string fetch() const {
         return each("STORE(pelage_fetch(a{0} + there, x, columns), SCRATCH(0, r, {0}) + c * PELAGE_WIDTH);\n");
@@ -87,9 +97,10 @@ private:
     }
 
     std::string resume() const {
-        std::string text = each("real below{0} = LOAD(CARRY({1}));\nreal own{0} = LOAD(CARRY({2}));\n"
-                                "real c{0} = LOAD(CARRY({3}));\n",
-                                "real c{0} = LOAD(CARRY({1}));\n");
+        std::string text = each(
+            "real below{0} = LOAD(CARRY({1}));\nreal own{0} = LOAD(CARRY({2}));\n"
+            "real c{0} = LOAD(CARRY({3}));\n",
+            "real c{0} = LOAD(CARRY({1}));\n");
         if (use_.random || reads(Quantity::column)) text += "const uintv column = pelage_columns(x, columns);\n";
         if (absorbing()) {
             text += "const mask inside_columns = TO_MASK((LANES + (uintv)((uint)x)) < (uintv)((uint)columns));\n";
@@ -119,11 +130,13 @@ private:
         std::string text;
         for (std::size_t i = 0; i < bounded_.size(); ++i) {
             if (!bounded_[i]) continue;
-            text += fmt::format("n{0} = SELECT(n{0} < floor{0}, floor{0}, SELECT(n{0} > limit{0}, limit{0}, n{0}));\n", i);
+            text +=
+                fmt::format("n{0} = SELECT(n{0} < floor{0}, floor{0}, SELECT(n{0} > limit{0}, limit{0}, n{0}));\n", i);
         }
         if (absorbing()) {
-            text += "const int at_row = base + r - level - 1;\n"
-                    "const mask inside = UNIFORM(at_row >= 0 && at_row < rows) & inside_columns;\n";
+            text +=
+                "const int at_row = base + r - level - 1;\n"
+                "const mask inside = UNIFORM(at_row >= 0 && at_row < rows) & inside_columns;\n";
             text += each("n{0} = SELECT(inside, n{0}, R(0));\n");
         }
         text += each("STORE(n{0}, result + {0} * SLOT);\n");
@@ -142,10 +155,10 @@ std::string stream_source(const Experiment& experiment, const LatticePlan& plan,
     const StreamEmitter emitter(plan, rules.use, bounded);
     Source source;
     source.text(lattice_settings(plan, width));
-    source.text(fmt::format("#define PELAGE_DEPTH {}\n#define PELAGE_BLOCK {}\n#define PELAGE_VECTORS {}\n"
-                            "#define PELAGE_GROUP {}\n#define PELAGE_FIELDS {}\n#define PELAGE_CARRIED {}\n",
-                            shape.depth, shape.block, shape.vectors, shape.group, experiment.chemicals.size(),
-                            emitter.carried()));
+    source.text(fmt::format(
+        "#define PELAGE_DEPTH {}\n#define PELAGE_BLOCK {}\n#define PELAGE_VECTORS {}\n"
+        "#define PELAGE_GROUP {}\n#define PELAGE_FIELDS {}\n#define PELAGE_CARRIED {}\n",
+        shape.depth, shape.block, shape.vectors, shape.group, experiment.chemicals.size(), emitter.carried()));
     source.file("prelude.cl").file("philox.cl").file("lattice_rows.cl").file("stencil.cl");
     for (const std::string& model : model_files(rules.use)) source.file(model);
     return source.file("lattice_stream.cl", emitter.fills(rules)).str();

@@ -78,13 +78,15 @@ private:
 
     void do_write(const Snapshot& snapshot) override {
         with_device(session_->info().name, [&] {
-            plan_ = lattice_plan(experiment(), snapshot);
-            steps_.clear();
-            any_set_.reset();
-            state_.reset();
+            const LatticePlan plan = lattice_plan(experiment(), snapshot);
             const std::vector<bool> every(experiment().rules.size(), true);
             const RuleUse use = emit_rules(experiment(), every, session_->options().precision).use;
-            state_ = std::make_unique<LatticeState>(*session_, experiment(), plan_, use, snapshot);
+            state_ = std::make_unique<LatticeState>(*session_, experiment(), plan, use, snapshot);
+            if (plan.rates != plan_.rates || plan.polarity != plan_.polarity) {  // all else is the experiment's
+                steps_.clear();
+                any_set_.reset();
+            }
+            plan_ = plan;
             counted_ = false;
         });
     }
@@ -123,7 +125,8 @@ private:
             put_parameters<float>(values, experiment(), plan_, *state_, phase);
         }
         if (values == parameter_values_) return;
-        if (parameters_() == nullptr) parameters_ = session_->buffer(values.size() * session_->scalar_bytes(), "parameters");
+        if (parameters_() == nullptr)
+            parameters_ = session_->buffer(values.size() * session_->scalar_bytes(), "parameters");
         if (session_->is_double()) {
             session_->queue().enqueueWriteBuffer(parameters_, CL_TRUE, 0, values.size() * 8, values.data());
         } else {

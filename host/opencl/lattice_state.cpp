@@ -70,7 +70,8 @@ LatticeState::LatticeState(const Session& session, const Experiment& experiment,
         uniform_rates_.push_back(initial.diff[i].front());
     }
     rates_.upload(grid_, rates);
-    if (polarity_.planes() > 0) polarity_.upload(grid_, std::vector<std::vector<double>>{initial.polarity_x, initial.polarity_y});
+    if (polarity_.planes() > 0)
+        polarity_.upload(grid_, std::vector<std::vector<double>>{initial.polarity_x, initial.polarity_y});
     mappings_.upload(grid_, initial.mappings);
     if (birth_.planes() > 0) birth_.upload(grid_, std::vector<std::vector<std::int32_t>>{initial.birth});
     if (neighbours_.planes() > 0) neighbours_.upload(grid_, std::vector<std::vector<std::int32_t>>{initial.neighbours});

@@ -23,8 +23,8 @@ public:
     Planes& rates() { return rates_; }        // of chemicals with rates of their own
     Planes& polarity() { return polarity_; }  // x, y; empty unless the plan has polarity
     Planes& mappings() { return mappings_; }
-    Planes& birth() { return birth_; }            // empty unless rules read it
-    Planes& neighbours() { return neighbours_; }  // empty unless rules read it
+    Planes& birth() { return birth_; }                    // empty unless rules read it
+    Planes& neighbours() { return neighbours_; }          // empty unless rules read it
     const cl::Buffer& places() const { return places_; }  // x of columns, padded to a pitch, then y of rows
 
     double uniform_rate(std::size_t chemical) const { return uniform_rates_[chemical]; }

@@ -18,9 +18,7 @@ std::size_t divided(std::size_t a, std::size_t b) { return (a + b - 1) / b; }
 
 }  // namespace
 
-bool is_cpu(const Session& session) {
-    return session.info().type == "cpu" && !session.info().software_rasteriser();
-}
+bool is_cpu(const Session& session) { return session.info().type == "cpu" && !session.info().software_rasteriser(); }
 
 std::size_t lattice_width(const Session& session) {
     if (session.options().width != 0) return session.options().width;
@@ -57,8 +55,8 @@ LatticeStep::LatticeStep(const Session& session, const Experiment& experiment, c
     const RuleText rules = emit_rules(experiment, active, session.options().precision, test_intervals);
     writes_rates_ = !rules.use.rates_written.empty();
     writes_polarity_ = !rules.use.polarizes.empty();
-    const std::string source = lattice_source(experiment, plan, rules, bounded_chemicals(experiment),
-                                              session.options().precision, width_);
+    const std::string source =
+        lattice_source(experiment, plan, rules, bounded_chemicals(experiment), session.options().precision, width_);
     kernel_ = cl::Kernel(session.build(source), "pelage_lattice_step");
 }
 

@@ -43,8 +43,7 @@ public:
     LatticeStep(const Session&, const Experiment&, const LatticePlan&, const std::vector<bool>& active,
                 bool test_intervals);
 
-    void enqueue(LatticeState&, const cl::Buffer& parameters, std::uint64_t first, std::uint64_t count,
-                 Pace&) override;
+    void enqueue(LatticeState&, const cl::Buffer& parameters, std::uint64_t first, std::uint64_t count, Pace&) override;
 
 private:
     void set_buffers(LatticeState&);

@@ -15,7 +15,7 @@ namespace pelage {
 
 namespace {
 
-constexpr std::size_t grid_bytes = 64;     // struct pelage_grid, in either precision
+constexpr std::size_t grid_bytes = 64;  // struct pelage_grid, in either precision
 constexpr std::size_t most_scanners = 256;
 
 std::string neighbours_source(std::size_t width) {
@@ -52,10 +52,10 @@ void DeviceLists::reserve(const Session& session, std::size_t wanted, int wanted
     const std::size_t most = static_cast<std::size_t>(std::numeric_limits<cl_int>::max());
     const std::size_t bytes = blocks * 16 * static_cast<std::size_t>(wanted_capacity) * sizeof(cl_int);
     if (bytes > session.info().max_allocation || blocks * 16 > most) {
-        throw Error(fmt::format("neighbour lists of {} cells with up to {} neighbours each need {} MiB; device '{}' "
-                                "allows {} MiB in one piece",
-                                wanted, wanted_capacity, bytes >> 20, session.info().name,
-                                session.info().max_allocation >> 20));
+        throw Error(fmt::format(
+            "neighbour lists of {} cells with up to {} neighbours each need {} MiB; device '{}' "
+            "allows {} MiB in one piece",
+            wanted, wanted_capacity, bytes >> 20, session.info().name, session.info().max_allocation >> 20));
     }
     entries = cl::Buffer();
     entries = session.buffer(bytes, "neighbour lists");
@@ -114,13 +114,14 @@ void NeighbourBins::sort(const cl::Buffer& positions, int pitch, int points, dou
         sort_pass(points, chunks, true, 0);
         return;
     }
-    const int key_bits = std::bit_width(static_cast<unsigned>(most_bins_));
+    const auto key_bits = static_cast<int>(std::bit_width(static_cast<unsigned>(most_bins_)));
     for (int shift = 0; shift < key_bits; shift += tuning_.bits) {
         sort_pass(points, chunks, shift == 0, shift);
         std::swap(keys_, sorted_keys_);
     }
     Arguments(session_, starts_kernel_).add(keys_, points, bins_, starts_);
-    launch(session_, starts_kernel_, std::min(static_cast<std::size_t>(most_bins_), std::size_t{1} << 16), tuning_.group);
+    launch(session_, starts_kernel_, std::min(static_cast<std::size_t>(most_bins_), std::size_t{1} << 16),
+           tuning_.group);
 }
 
 // From keys_ and order_ to sorted_keys_ and order_.
@@ -133,7 +134,8 @@ void NeighbourBins::sort_pass(int points, cl_int chunks, bool first, int shift) 
         Arguments(session_, sum_).add(counts_, chunks, tuning_.bits, bins_, static_cast<cl_int>(scanners), sums_);
         launch(session_, sum_, scanners);
     }
-    Arguments(session_, scan_).add(counts_, points, chunks, tuning_.bits, bins_, static_cast<cl_int>(scanners), sums_, starts_);
+    Arguments(session_, scan_)
+        .add(counts_, points, chunks, tuning_.bits, bins_, static_cast<cl_int>(scanners), sums_, starts_);
     launch(session_, scan_, scanners);
     if (!first) std::swap(order_, spare_order_);
     Arguments(session_, scatter_)
@@ -149,8 +151,9 @@ void NeighbourBins::gather(const cl::Buffer& positions, int pitch, int points, c
 
 void NeighbourBins::find(const cl::Buffer& positions, int pitch, const cl::Buffer& ids, int points, double radius,
                          DeviceLists& lists) {
-    const double square = session_.is_double() ? radius * radius
-                                               : static_cast<double>(static_cast<float>(radius) * static_cast<float>(radius));
+    const double square = session_.is_double()
+                              ? radius * radius
+                              : static_cast<double>(static_cast<float>(radius) * static_cast<float>(radius));
     Arguments(session_, lists_)
         .add(positions, pitch, ids, starts_, points, grid_, Scalar{square}, lists.capacity, lists.lengths,
              lists.entries, lists.longest);

@@ -15,8 +15,8 @@ public:
     void launched();
 
 private:
-    static constexpr std::size_t flush_every = 16;
-    static constexpr std::size_t wait_every = 128;
+    static constexpr std::size_t flush_every = 8;
+    static constexpr std::size_t wait_every = 32;
 
     const Session& session_;
     std::size_t launches_ = 0;

@@ -47,7 +47,8 @@ void PlaneExpander::apply(const cl::Buffer& from, const cl::Buffer& to, const Gr
     const bool strips = session_.info().type == "cpu" && !session_.info().software_rasteriser();
     const std::size_t width = strips ? 1 : 64;
     const std::size_t across = strips ? 1 : (after.pitch() + width - 1) / width * width;
-    const std::size_t up = strips ? std::min<std::size_t>(after.rows + 1, 4 * session_.info().compute_units) : after.rows + 1;
+    const std::size_t up =
+        strips ? std::min<std::size_t>(after.rows + 1, 4 * session_.info().compute_units) : after.rows + 1;
     session_.queue().enqueueNDRangeKernel(kernel, cl::NullRange, cl::NDRange(across, up), cl::NDRange(width, 1));
 }
 

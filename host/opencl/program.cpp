@@ -102,7 +102,8 @@ Source& Source::file(const std::string& name, const std::map<std::string, std::s
         }
         const std::string key = line.substr(start + 4);
         const auto fill = fills.find(key);
-        if (fill == fills.end()) throw Error(fmt::format("kernel file '{}' asks for '{}', which is not given", name, key));
+        if (fill == fills.end())
+            throw Error(fmt::format("kernel file '{}' asks for '{}', which is not given", name, key));
         text_ += fill->second;
         filled.insert(key);
     }

@@ -34,7 +34,11 @@ int side_for(int cells) {
 
 std::string matrix_source() {
     Source source;
-    source.file("prelude.cl").file("scan.cl").file("neighbours_bins.cl").file("neighbours_lists.cl").file("spatial_sorting.cl");
+    source.file("prelude.cl")
+        .file("scan.cl")
+        .file("neighbours_bins.cl")
+        .file("neighbours_lists.cl")
+        .file("spatial_sorting.cl");
     return source.str();
 }
 
@@ -135,9 +139,11 @@ Neighbours DeviceMatrix::exact_sets() const {
     const auto scatter = [&]<class T>(T) {
         std::vector<T> plane(cell.size());
         session_.queue().enqueueReadBuffer(x_, CL_TRUE, 0, plane.size() * sizeof(T), plane.data());
-        for (std::size_t i = 0; i < cell.size(); ++i) x[static_cast<std::size_t>(cell[i])] = static_cast<double>(plane[i]);
+        for (std::size_t i = 0; i < cell.size(); ++i)
+            x[static_cast<std::size_t>(cell[i])] = static_cast<double>(plane[i]);
         session_.queue().enqueueReadBuffer(y_, CL_TRUE, 0, plane.size() * sizeof(T), plane.data());
-        for (std::size_t i = 0; i < cell.size(); ++i) y[static_cast<std::size_t>(cell[i])] = static_cast<double>(plane[i]);
+        for (std::size_t i = 0; i < cell.size(); ++i)
+            y[static_cast<std::size_t>(cell[i])] = static_cast<double>(plane[i]);
     };
     if (session_.is_double()) {
         scatter(double{});

@@ -28,8 +28,7 @@ public:
     StreamStep(const Session&, const Experiment&, const LatticePlan&, const std::vector<bool>& active,
                bool test_intervals);
 
-    void enqueue(LatticeState&, const cl::Buffer& parameters, std::uint64_t first, std::uint64_t count,
-                 Pace&) override;
+    void enqueue(LatticeState&, const cl::Buffer& parameters, std::uint64_t first, std::uint64_t count, Pace&) override;
 
 private:
     const Session& session_;

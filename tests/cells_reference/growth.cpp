@@ -80,7 +80,8 @@ stop at 10
 }
 
 TEST_CASE("a cell without polarity divides along x, and a polarity of any length serves as direction") {
-    const std::string text = "define chemical U\ncreate cell 0 0\ncreate cell 9 9\nrule until 0 always divide\nstop at 10\n";
+    const std::string text =
+        "define chemical U\ncreate cell 0 0\ncreate cell 9 9\nrule until 0 always divide\nstop at 10\n";
     Snapshot before = test::initial(text);
     before.polarity_x[1] = 0;
     before.polarity_y[1] = -4;

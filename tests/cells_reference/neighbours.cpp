@@ -46,9 +46,8 @@ Neighbours filtered(const NeighbourLists<T>& lists, const test::Cloud<T>& cloud)
 TEMPLATE_TEST_CASE("neighbours of tissue-like clouds", "", float, double) {
     using T = TestType;
     const T far = GENERATE(T(0), T(-700), T(12345));
-    const test::Cloud<T> cloud =
-        GENERATE(test::hexagonal<T>(31, 40, T(0), 1), test::hexagonal<T>(37, 29, T(0.4), 2),
-                 test::scattered<T>(1500, T(70), T(75), 3), test::clustered<T>(9, 120, 4));
+    const test::Cloud<T> cloud = GENERATE(test::hexagonal<T>(31, 40, T(0), 1), test::hexagonal<T>(37, 29, T(0.4), 2),
+                                          test::scattered<T>(1500, T(70), T(75), 3), test::clustered<T>(9, 120, 4));
 
     const test::Cloud<T> placed = test::moved(cloud, far, -far);
     const Neighbours found = exact(placed);
@@ -111,7 +110,8 @@ TEMPLATE_TEST_CASE("the test in T decides where distances nearly equal the radiu
     test::Cloud<T> cloud;  // pairs at 3 +- a few units in the last place, far enough from each other
     for (int i = 0; i < 1000; ++i) {
         const T angle = static_cast<T>(random() % 6283) / T(1000);
-        const T d = T(3) * (T(1) + static_cast<T>(static_cast<int>(random() % 9) - 4) * std::numeric_limits<T>::epsilon());
+        const T d =
+            T(3) * (T(1) + static_cast<T>(static_cast<int>(random() % 9) - 4) * std::numeric_limits<T>::epsilon());
         const T x = static_cast<T>(20 * (i % 32)), y = static_cast<T>(20 * (i / 32));
         cloud.add(x, y);
         cloud.add(x + d * std::cos(angle), y + d * std::sin(angle));

@@ -99,7 +99,8 @@ TEST_CASE("collisions of many cells leave their centre where it is") {
 }
 
 TEST_CASE("cells that touch or are further apart than two radii do not push") {
-    const auto tissue = test::cells("define chemical U\ncreate cell 0 0\ncreate cell 2 0\ncreate cell 0 2.5\nstop at 10\n");
+    const auto tissue =
+        test::cells("define chemical U\ncreate cell 0 0\ncreate cell 2 0\ncreate cell 0 2.5\nstop at 10\n");
 
     const Snapshot later = test::after(*tissue, 20);
 

@@ -53,7 +53,11 @@ TEMPLATE_TEST_CASE("rows are sorted by x and columns by y", "", float, double) {
 
 TEST_CASE("a matrix small enough for its window finds every neighbour, those exactly at the radius too") {
     const std::size_t window = GENERATE(8, 24, 48, 80, 120);
-    const auto reach = static_cast<std::size_t>(window < 24 ? 1 : window < 48 ? 2 : window < 80 ? 3 : window < 120 ? 4 : 5);
+    const auto reach = static_cast<std::size_t>(window < 24    ? 1
+                                                : window < 48  ? 2
+                                                : window < 80  ? 3
+                                                : window < 120 ? 4
+                                                               : 5);
     test::Cloud<float> cloud = test::scattered<float>((reach + 1) * (reach + 1) - 2, 7.0f, 7.0f, 2);
     cloud.add(0, 0);
     cloud.add(3, 0);

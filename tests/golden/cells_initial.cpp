@@ -11,7 +11,8 @@ using namespace pelage;
 
 std::size_t unequal(const std::vector<double>& found, const std::vector<double>& published) {
     std::size_t count = found.size() == published.size() ? 0 : 1;
-    for (std::size_t i = 0; i < std::min(found.size(), published.size()); ++i) count += found[i] == published[i] ? 0 : 1;
+    for (std::size_t i = 0; i < std::min(found.size(), published.size()); ++i)
+        count += found[i] == published[i] ? 0 : 1;
     return count;
 }
 

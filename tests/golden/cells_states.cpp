@@ -77,7 +77,8 @@ TEST_CASE("published uniform growth begins as theirs") {
     CHECK(births(conc[0].size()) < 17);
     // Where no child is near, concentrations are still theirs.
     std::size_t near = 0;
-    for (std::size_t cell = 0; cell < 1813; ++cell) near += std::abs(state.conc[0][cell] - conc[0][cell]) < 0.05 ? 1 : 0;
+    for (std::size_t cell = 0; cell < 1813; ++cell)
+        near += std::abs(state.conc[0][cell] - conc[0][cell]) < 0.05 ? 1 : 0;
     CHECK(near > 1000);
 }
 

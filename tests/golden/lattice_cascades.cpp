@@ -19,8 +19,9 @@ NpyArray array(const std::string& name) { return test::golden("cascades/turing_1
 
 // da = 0.1 lap a + k (16 - a b), db = 0.02 lap b + k (a b - b - 12 - beta); cells where frozen is 1 keep both.
 Experiment cascade(double k) {
-    Experiment experiment = test::matrix(100, 100, Boundary::wrap, Stencil::five_point, 1.0,
-                                         {{"a", 0.1, {}}, {"b", 0.02, {}}, {"beta", 0.0, {0.0, none}}, {"frozen", 0.0, {}}});
+    Experiment experiment =
+        test::matrix(100, 100, Boundary::wrap, Stencil::five_point, 1.0,
+                     {{"a", 0.1, {}}, {"b", 0.02, {}}, {"beta", 0.0, {0.0, none}}, {"frozen", 0.0, {}}});
     experiment.rules = {test::always(
         React{Model::turing, a, b, Operand::number(k), {Operand::number(16.0), Operand::concentration(beta)}})};
     for (const std::size_t chemical : {a, b}) {
@@ -70,9 +71,9 @@ void check_second_stage(const std::string& name, bool reset) {
 
 TEST_CASE("cascades: spots from a random beta") {
     if (test::shared_missing("golden/cascades/turing_100")) return;
-    const auto tissue = test::start(
-        cascade(0.02), {everywhere(4.0), everywhere(4.0), beta_field("beta_spot"), everywhere(0.0)});
-    for (const std::uint64_t at : {1, 10, 100}) check(*tissue, at, "spot", std::to_string(at), tolerance);
+    const auto tissue =
+        test::start(cascade(0.02), {everywhere(4.0), everywhere(4.0), beta_field("beta_spot"), everywhere(0.0)});
+    for (const std::uint64_t at : {1u, 10u, 100u}) check(*tissue, at, "spot", std::to_string(at), tolerance);
     // A perturbation of 1e-7 moves the spots by up to 1e-3 of the range while they form (report.json).
     check(*tissue, 1000, "spot", "1000", 1e-3);
 }

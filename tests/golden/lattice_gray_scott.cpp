@@ -43,7 +43,7 @@ void check_preset(const std::string& name) {
     const Experiment experiment =
         art(a.shape[1], a.shape[0], preset.at("F"), Operand::number(preset.at("k").get<double>()));
     const auto tissue = test::start(experiment, {a, b});
-    for (const std::uint64_t at : {1, 10, 100, 1000}) {
+    for (const std::uint64_t at : {1u, 10u, 100u, 1000u}) {
         tissue->advance(at - tissue->iteration());
         check(*tissue, 0, folder + "A" + std::to_string(at));
         check(*tissue, 1, folder + "B" + std::to_string(at));

@@ -1,4 +1,5 @@
-// Pattern Explorer's own results on square grids: the float reference gives the same bits, from first to last iteration.
+// Pattern Explorer's own results on square grids: the float reference gives the same bits, from first to last
+// iteration.
 #include "core/prepattern.hpp"
 #include "language/parse.hpp"
 #include "lattice_support.hpp"
@@ -22,7 +23,9 @@ struct Case {
 
     bool square_grid() const { return info.at("nns").get<std::string>().rfind("square grid", 0) == 0; }
     NpyArray array(const std::string& file) const { return test::golden("pattern_explorer/" + name + "/" + file); }
-    Experiment experiment() const { return parse_experiment_file(test::shared("pex/" + info.at("pex").get<std::string>())); }
+    Experiment experiment() const {
+        return parse_experiment_file(test::shared("pex/" + info.at("pex").get<std::string>()));
+    }
 };
 
 std::vector<Case> square_grids(const std::string& prefix) {

@@ -16,10 +16,10 @@ namespace test {
 pelage::NpyArray golden(const std::string& relative);
 
 struct Difference {
-    double largest = 0.0;       // of any two values
-    double range = 0.0;         // highest less lowest golden value
-    double magnitude = 0.0;     // of the largest golden value
-    std::size_t unequal = 0;    // values, +0 and -0 being equal; NaN equals nothing
+    double largest = 0.0;     // of any two values
+    double range = 0.0;       // highest less lowest golden value
+    double magnitude = 0.0;   // of the largest golden value
+    std::size_t unequal = 0;  // values, +0 and -0 being equal; NaN equals nothing
     double relative() const { return range > 0.0 ? largest / range : largest; }
 };
 

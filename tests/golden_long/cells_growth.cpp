@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <future>
 #include <map>
 #include <numeric>
 
@@ -17,7 +18,7 @@ using namespace pelage;
 struct Grown {  // what is measured of a grown tissue
     std::vector<double> x, y, neighbours;
     std::vector<std::vector<double>> conc;
-    std::map<std::uint64_t, double> population;  // at quarters of the run
+    std::map<std::uint64_t, double> population;  // at fifths of the run
     SearchStatistics search;                     // of spatial sorting, once in 100 iterations, while it grows
 };
 
@@ -27,7 +28,7 @@ Grown grow(const Experiment& experiment, std::uint64_t iterations) {
     Grown grown;
     while (tissue->iteration() < iterations) {
         tissue->advance(100);
-        if (tissue->iteration() % (iterations / 4) == 0) {
+        if (tissue->iteration() % (iterations / 5) == 0) {
             grown.population[tissue->iteration()] = static_cast<double>(tissue->cells());
         }
         const auto search = tissue->search_statistics();
@@ -42,10 +43,14 @@ Grown grow(const Experiment& experiment, std::uint64_t iterations) {
 }
 
 Grown theirs(const test::PublishedCells& published) {
-    Grown tissue{published.array("x_final"), published.array("y_final"), published.array("neighbors_final"),
-                   published.by_chemical("conc_final"), {}, {}};
-    const std::uint64_t quarter = published.iterations() / 4;
-    for (std::uint64_t at = quarter; at <= published.iterations(); at += quarter) {
+    Grown tissue{published.array("x_final"),
+                 published.array("y_final"),
+                 published.array("neighbors_final"),
+                 published.by_chemical("conc_final"),
+                 {},
+                 {}};
+    const std::uint64_t fifth = published.iterations() / 5;
+    for (std::uint64_t at = fifth; at <= published.iterations(); at += fifth) {
         tissue.population[at] = static_cast<double>(published.population().at(at));
     }
     return tissue;
@@ -74,8 +79,8 @@ std::map<std::string, double> measure(const Grown& tissue) {
     std::map<std::string, double> found{
         {"mean of neighbours", mean(tissue.neighbours)},
         {"deviation of neighbours", deviation(tissue.neighbours)},
-        {"share with six neighbours", static_cast<double>(std::ranges::count(tissue.neighbours, 6.0)) /
-                                          static_cast<double>(tissue.x.size())},
+        {"share with six neighbours",
+         static_cast<double>(std::ranges::count(tissue.neighbours, 6.0)) / static_cast<double>(tissue.x.size())},
         {"nearest distance, lower decile", test::quantile(near, 0.1)},
         {"nearest distance, median", test::quantile(near, 0.5)},
         {"nearest distance, upper decile", test::quantile(near, 0.9)},
@@ -105,10 +110,14 @@ void check_one_of(const std::vector<std::map<std::string, double>>& ours, const 
 
 SearchStatistics check_growth(const std::string& name) {
     const test::PublishedCells published(name);
+    std::vector<std::future<Grown>> runs;
+    for (std::int64_t seed = 101; seed <= 106; ++seed) {
+        runs.push_back(std::async(std::launch::async, grow, published.reseeded(seed), published.iterations()));
+    }
     std::vector<std::map<std::string, double>> ours;
     SearchStatistics search;
-    for (std::int64_t seed = 1; seed <= 6; ++seed) {
-        const Grown grown = grow(published.reseeded(100 + seed), published.iterations());
+    for (std::future<Grown>& run : runs) {
+        const Grown grown = run.get();
         ours.push_back(measure(grown));
         search += grown.search;
     }
@@ -182,10 +191,18 @@ TEST_CASE("centre growth: the published population, which knows no chance, and a
     CHECK(test::ks_distance(state.conc[1], wanted.conc[1]) < 0.08);
 }
 
-TEST_CASE("the other published tissues of uniform growth") {
+TEST_CASE("uniform growth with reinforcement beside theirs") {
     check_beside("growth-uniform__uniform-03-reinforcement", 1e-4, 8000);
+}
+TEST_CASE("uniform growth from random seeds beside theirs") {
     check_beside("growth-uniform__uniform-04-random-seeds", 1e-4, 8000);
+}
+TEST_CASE("uniform growth with a prepattern beside theirs") {
     check_beside("growth-uniform__uniform-06-prepattern", 1e-4, 8000);
+}
+TEST_CASE("the benchmark's uniform growth beside theirs") {
     check_beside("benchmark__benchmark-02-uniform-growth", 1e-4, 13000);
+}
+TEST_CASE("uniform growth with frozen chemicals beside theirs") {
     check_beside("paper__13-frozen-chemicals", 1e-4, 13000);
 }

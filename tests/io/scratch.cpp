@@ -128,9 +128,11 @@ pelage::Snapshot lattice(std::size_t columns, std::size_t rows) {
     pelage::Snapshot snapshot;
     snapshot.columns = columns;
     snapshot.rows = rows;
-    for (std::size_t i = 0; i < columns * rows; ++i) {
-        snapshot.x.push_back((static_cast<double>(i % columns) - static_cast<double>(columns) / 2.0) * 2 + 1);
-        snapshot.y.push_back((static_cast<double>(i / columns) - static_cast<double>(rows) / 2.0) * 2 + 1);
+    for (std::size_t row = 0; row < rows; ++row) {
+        for (std::size_t column = 0; column < columns; ++column) {
+            snapshot.x.push_back((static_cast<double>(column) - static_cast<double>(columns) / 2.0) * 2 + 1);
+            snapshot.y.push_back((static_cast<double>(row) - static_cast<double>(rows) / 2.0) * 2 + 1);
+        }
     }
     fill(snapshot);
     return snapshot;

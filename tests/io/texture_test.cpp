@@ -45,7 +45,7 @@ TEST_CASE("weights add up to one in every texel") {
     const std::vector<Snapshot> tissues{scattered(500), clustered, test::cells({3}, {4}), test::cells({0, 9}, {0, 0}),
                                         test::lattice(7, 5)};
     for (const auto& tissue : tissues) {
-        for (const std::size_t size : {3, 64, 200}) {
+        for (const std::size_t size : {3u, 64u, 200u}) {
             const auto texture = one(tissue, std::vector<double>(tissue.cells(), 0.7), size, size / 2 + 1);
 
             CHECK(texture.columns == size);
@@ -142,7 +142,7 @@ TEST_CASE("free cells keep their proportions in a texture of any shape") {
     const auto texture = one(cells, {0, 1}, 110, 440);
 
     CHECK(texture.rows == 440);
-    for (const std::size_t row : {0, 200, 439}) {
+    for (const std::size_t row : {0u, 200u, 439u}) {
         CHECK(texture.values[row * 110] < 0.5);
         CHECK(texture.values[row * 110 + 109] > 0.5);
     }

@@ -120,7 +120,7 @@ TEST_CASE("a lattice as .vti: shape, place and values") {
 
 TEST_CASE("a double run's .vti holds doubles, whatever their number") {
     const Scratch scratch;
-    for (const std::size_t columns : {1, 2, 7, 5000}) {
+    for (const std::size_t columns : {1u, 2u, 7u, 5000u}) {
         const auto lattice = test::lattice(columns, 3);
 
         write_vti(scratch / "a.vti", lattice, test::experiment(), Precision::double_);

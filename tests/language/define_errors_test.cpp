@@ -38,8 +38,7 @@ TEST_CASE("malformed definitions and prepatterns say where and what is allowed")
         {grid, "define chemical W anisotropik",
          "t.pex:4:19: unknown word 'anisotropik'; allowed here: limit, floor, conc, channel, from, anisotropic, or the "
          "end of the line; did you mean 'anisotropic'?"},
-        {grid, "define chemical W channel R",
-         R"(t.pex:4:19: 'channel' belongs to a picture; write 'conc "PICTURE"' before it)"},
+        {grid, "define chemical W channel R", R"(t.pex:4:19: 'channel' belongs to a picture; add 'conc "PICTURE"')"},
         {grid, "define chemical W conc 4",
          "t.pex:4:24: '4' has no quotes; the picture's name must be a text in double quotes"},
         {grid, "define division_limit -1",

@@ -100,7 +100,7 @@ TEST_CASE("a chemical starts from an array, scaled between two values") {
     folder.write("start.npy", small_array());
     const fs::path file = folder.write("one.pex",
                                        "define chemical U limit 9 conc \"start.npy\"\n"
-                                       "define chemical V conc \"start.npy\" from 10 to 2 floor none\n"
+                                       "define chemical V from 10 to 2 conc \"start.npy\" floor none\n"
                                        "create matrix 3 2\n");
 
     const Experiment e = parse_experiment_file(file);

@@ -27,22 +27,27 @@ TEST_CASE("float: uneven rates") { check_cases("rates/uneven", single); }
 TEST_CASE("float: rules") { check_cases("rules/", single); }
 TEST_CASE("float: growth") { check_cases("growth/", single); }
 
-TEST_CASE("double: diffusion") { check_cases("diffusion/", twice); }
+TEST_CASE("double: diffusion") {
+    check_cases("diffusion/nine-point", twice);
+    check_cases("diffusion/five-point", twice);
+    check_cases("diffusion/published", twice);
+}
 TEST_CASE("double: every reaction") { check_cases("reaction/", twice); }
 TEST_CASE("double: rates") { check_cases("rates/uneven", twice); }
-TEST_CASE("double: polarized cells") {
-    check_cases("rates/polarized/five-point", twice);
-    check_cases("rates/polarized/published", twice);
-}
+TEST_CASE("double: polarized cells") { check_cases("rates/polarized/published", twice); }
 TEST_CASE("double: rules") { check_cases("rules/", twice); }
 TEST_CASE("double: growth") { check_cases("growth/", twice); }
 
-TEST_CASE("one cell a work-item: diffusion") { check_cases("diffusion/", narrow); }
+TEST_CASE("one cell a work-item: diffusion") {
+    check_cases("diffusion/nine-point", narrow);
+    check_cases("diffusion/five-point/no-flux", narrow);
+    check_cases("diffusion/published", narrow);
+}
 TEST_CASE("one cell a work-item: reactions and rates") {
     check_cases("reaction/", narrow);
     check_cases("rates/polarized/sims", narrow);
     check_cases("rates/polarized/published", narrow);
-    check_cases("rates/uneven", narrow);
+    check_cases("rates/uneven/nine-point/no-flux", narrow);
 }
 TEST_CASE("one cell a work-item: rules") { check_cases("rules/", narrow); }
 TEST_CASE("one cell a work-item: growth") { check_cases("growth/", narrow); }

@@ -1,5 +1,5 @@
 // Growth runs on the device against the float reference: the same cells, the same bits.
-#include "opencl_cells/support_tissues.hpp"
+#include "support/free_cells.hpp"
 
 #include <catch2/catch.hpp>
 
@@ -11,7 +11,7 @@ namespace {
 const char* const growing = R"(
 define chemical U limit 4.5
 define chemical V
-define division_limit 7
+define division_limit 9
 define domain 300 260
 define time_step 0.1
 use seed 5
@@ -20,7 +20,7 @@ use chemical V conc 4 dev 1 diff 0.02
 create cell 0 0
 create cell 1.5 0.5
 rule always react U V scale 0.05 turing alpha 16 beta 12
-rule probability 0.025 divide direction 0 dev 180
+rule probability 0.06 divide direction 0 dev 180
 )";
 
 }  // namespace

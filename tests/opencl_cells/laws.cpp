@@ -1,8 +1,8 @@
 // What may not change a result on the device, and what must hold whatever the result.
 #include "core/error.hpp"
 #include "core/prepattern.hpp"
-#include "opencl_cells/support_session.hpp"
-#include "opencl_cells/support_tissues.hpp"
+#include "support/free_cells.hpp"
+#include "support/opencl_session.hpp"
 
 #include <catch2/catch.hpp>
 
@@ -139,9 +139,10 @@ TEST_CASE("free cells: fewer and more cells can be written than there were") {
 }
 
 TEST_CASE("free cells: diffusion keeps the total amount, with rates of their own too") {
-    const auto experiment = test::experiment("define chemical A\ndefine chemical B\nuse seed 2\n"
-                                             "use chemical A conc 3 dev 3 diff 0.1\nuse chemical B conc 3 dev 3 diff 0.06 dev 0.05\n"
-                                             "create hex_grid 31 29 dev 0.2\n");
+    const auto experiment = test::experiment(
+        "define chemical A\ndefine chemical B\nuse seed 2\n"
+        "use chemical A conc 3 dev 3 diff 0.1\nuse chemical B conc 3 dev 3 diff 0.06 dev 0.05\n"
+        "create hex_grid 31 29 dev 0.2\n");
     const auto tissue = test::on_device(experiment, {}, Precision::double_);
     const auto total = [&](std::size_t chemical) {
         const Snapshot state = tissue->read();
@@ -159,8 +160,9 @@ TEST_CASE("free cells: diffusion keeps the total amount, with rates of their own
 }
 
 TEST_CASE("free cells: impermeable cells exchange nothing") {
-    const auto experiment = test::experiment("define chemical A\nuse chemical A conc 5 diff 0.1\ncreate cell 0 0\n"
-                                             "use chemical A conc 1 diff 0\ncreate cell 2 0\n");
+    const auto experiment = test::experiment(
+        "define chemical A\nuse chemical A conc 5 diff 0.1\ncreate cell 0 0\n"
+        "use chemical A conc 1 diff 0\ncreate cell 2 0\n");
     const auto tissue = test::on_device(experiment);
 
     tissue->advance(10);

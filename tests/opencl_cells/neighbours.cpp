@@ -1,9 +1,9 @@
 // Neighbour sets from the device against brute force and the reference's k-d tree: equal, not nearly.
-#include "core/error.hpp"
 #include "opencl/neighbours.hpp"
+#include "core/error.hpp"
 #include "opencl_cells/support_points.hpp"
-#include "opencl_cells/support_session.hpp"
 #include "reference/neighbours.hpp"
+#include "support/opencl_session.hpp"
 
 #include <catch2/catch.hpp>
 
@@ -68,9 +68,7 @@ TEST_CASE("neighbour sets of thousands of points equal the k-d tree's") {
     check_against_tree(test::shuffled(test::jittered(count, 4), 5));
 }
 
-TEST_CASE("neighbour sets of a million points equal the k-d tree's") {
-    check_against_tree(test::jittered(1000000, 6));
-}
+TEST_CASE("neighbour sets of a million points equal the k-d tree's") { check_against_tree(test::jittered(1000000, 6)); }
 
 TEST_CASE("neighbour sets of sharp sizes equal brute force") {
     const std::size_t count = GENERATE(1, 2, 3, 7, 15, 16, 17, 31, 33, 63, 64, 65, 127, 257, 1021);
@@ -181,7 +179,8 @@ TEST_CASE("other radii, and double precision") {
     CAPTURE(radius);
     const test::Points points = test::uniform(3000, 14);
 
-    CHECK(opencl_neighbours(test::session(), points.x, points.y, radius) == by_force(points, static_cast<float>(radius)));
+    CHECK(opencl_neighbours(test::session(), points.x, points.y, radius) ==
+          by_force(points, static_cast<float>(radius)));
     CHECK(opencl_neighbours(test::session(Precision::double_), points.x, points.y, radius) == by_force(points, radius));
 }
 

@@ -15,7 +15,9 @@ double as_float(double value) { return static_cast<double>(static_cast<float>(va
 class Draw {
 public:
     explicit Draw(std::uint32_t seed) : engine_(seed) {}
-    double between(double low, double high) { return low + (high - low) * (static_cast<double>(engine_()) / 4294967296.0); }
+    double between(double low, double high) {
+        return low + (high - low) * (static_cast<double>(engine_()) / 4294967296.0);
+    }
     std::size_t below(std::size_t end) { return static_cast<std::size_t>(between(0, static_cast<double>(end))); }
 
 private:

@@ -24,7 +24,7 @@ Points jittered(std::size_t count, std::uint32_t seed);
 Points uniform(std::size_t count, std::uint32_t seed);
 Points clustered(std::size_t count, std::uint32_t seed);
 Points line(std::size_t count);
-Points square_at_radius(std::size_t side);  // neighbours exactly 3 apart along rows and columns
+Points square_at_radius(std::size_t side);                         // neighbours exactly 3 apart along rows and columns
 Points crowd(std::size_t count, double side, std::uint32_t seed);  // uniform in a square of that side
 
 Points moved(Points, double dx, double dy);

@@ -14,26 +14,33 @@ using namespace pelage;
 
 const char* word(Boundary boundary) {
     switch (boundary) {
-        case Boundary::no_flux: return "no-flux";
-        case Boundary::wrap: return "wrap";
-        case Boundary::absorbing: return "absorbing";
+        case Boundary::no_flux:
+            return "no-flux";
+        case Boundary::wrap:
+            return "wrap";
+        case Boundary::absorbing:
+            return "absorbing";
     }
     return "?";
 }
 
 const char* word(Stencil stencil) {
     switch (stencil) {
-        case Stencil::moore: return "moore";
-        case Stencil::nine_point: return "nine-point";
-        case Stencil::five_point: return "five-point";
-        case Stencil::sims: return "sims";
+        case Stencil::moore:
+            return "moore";
+        case Stencil::nine_point:
+            return "nine-point";
+        case Stencil::five_point:
+            return "five-point";
+        case Stencil::sims:
+            return "sims";
     }
     return "?";
 }
 
 std::vector<Size> sharp_sizes() {
-    return {{1, 1},   {1, 7},   {17, 1},  {2, 3},   {3, 2},   {5, 5},    {15, 4},  {16, 16},
-            {17, 31}, {31, 17}, {33, 3},  {63, 64}, {65, 97}, {127, 61}, {257, 31}};
+    return {{1, 1},   {1, 7},   {17, 1}, {2, 3},   {3, 2},   {5, 5},    {15, 4},  {16, 16},
+            {17, 31}, {31, 17}, {33, 3}, {63, 64}, {65, 97}, {127, 61}, {257, 31}};
 }
 std::vector<Size> few_sizes() { return {{1, 1}, {2, 3}, {1, 5}, {19, 1}, {37, 29}, {130, 41}}; }
 
@@ -118,7 +125,8 @@ std::vector<Case> diffusion_cases() {
             const auto make = [=](Size size) {
                 return diffusing(Lab::matrix(size.columns, size.rows, boundary, stencil));
             };
-            cases.push_back({fmt::format("diffusion/{}/{}", word(stencil), word(boundary)), make, sharp_sizes(), 100, {}});
+            cases.push_back(
+                {fmt::format("diffusion/{}/{}", word(stencil), word(boundary)), make, sharp_sizes(), 100, {}});
         }
     }
     for (const bool wrap : {false, true}) {
@@ -151,8 +159,10 @@ std::vector<Case> rate_cases() {
             add(fmt::format("{}/{}", word(stencil), word(boundary)), lab, stencil == Stencil::nine_point);
         }
     }
-    add("published/open", [](Size size) { return Lab::grid(size.columns, size.rows, false); }, true);
-    add("published/wrap", [](Size size) { return Lab::grid(size.columns, size.rows, true); }, true);
+    add(
+        "published/open", [](Size size) { return Lab::grid(size.columns, size.rows, false); }, true);
+    add(
+        "published/wrap", [](Size size) { return Lab::grid(size.columns, size.rows, true); }, true);
     return cases;
 }
 

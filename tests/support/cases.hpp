@@ -22,7 +22,8 @@ struct Case {
     std::function<pelage::Experiment(Size)> experiment;
     std::vector<Size> sizes;
     std::uint64_t iterations = 100;
-    std::function<void(pelage::Snapshot&)> touch;  // changes the first state to what no prepattern can make; may be empty
+    std::function<void(pelage::Snapshot&)>
+        touch;           // changes the first state to what no prepattern can make; may be empty
     bool grows = false;  // expands: compare after every iteration
 };
 

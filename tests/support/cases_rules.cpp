@@ -19,8 +19,8 @@ Set set_rate(std::size_t chemical, Operand value) { return {Target::rate, chemic
 
 // Every quantity read once as an operand, once in a condition.
 Experiment quantities(Lab lab) {
-    const Quantity all[] = {Quantity::neighbours, Quantity::age,     Quantity::birth, Quantity::x,
-                            Quantity::y,          Quantity::row,     Quantity::column, Quantity::rows,
+    const Quantity all[] = {Quantity::neighbours, Quantity::age,       Quantity::birth,  Quantity::x,
+                            Quantity::y,          Quantity::row,       Quantity::column, Quantity::rows,
                             Quantity::columns,    Quantity::iteration, Quantity::random};
     const auto fed = lab.chemical("F", {10, 4}, {0.05, 0}, unbounded);
     for (const Quantity what : all) {
@@ -153,7 +153,8 @@ Experiment growing(Lab lab, Expand first, Expand second) {
     lab.rule(react(Model::turing, a, b, {16, 12}));
     lab.rule(Map{conc(b), 3, 5, m, 0, 1}).every = 2;
     lab.rule(change(d, quantity(Quantity::neighbours)));
-    lab.rule(change(d, quantity(Quantity::age)), compare(quantity(Quantity::x), Comparison::less, quantity(Quantity::y)));
+    lab.rule(change(d, quantity(Quantity::age)),
+             compare(quantity(Quantity::x), Comparison::less, quantity(Quantity::y)));
     lab.rule(change(d, quantity(Quantity::mapping, m)));
     lab.rule(change(c, number(0.01), 0.01), compare(quantity(Quantity::row), Comparison::equal, number(3)));
     Rule& grow = lab.rule(first);

@@ -20,8 +20,8 @@ public:
     static Lab grid(std::size_t columns, std::size_t rows, bool wrap);
 
     // Number of the new chemical. Deviations make the start uneven.
-    std::size_t chemical(const std::string& name, pelage::Spread conc, pelage::Spread diff,
-                         pelage::Bounds bounds = {}, bool anisotropic = false);
+    std::size_t chemical(const std::string& name, pelage::Spread conc, pelage::Spread diff, pelage::Bounds bounds = {},
+                         bool anisotropic = false);
     std::size_t mapping(const std::string& name);
 
     // The new rule, for from, until, every and offset; valid until the next one is added.

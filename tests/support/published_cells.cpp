@@ -95,7 +95,8 @@ std::vector<double> nearest_distances(const std::vector<double>& x, const std::v
     std::vector<double> distances(x.size(), std::numeric_limits<double>::infinity());
     const Neighbours near = touching(x, y);
     for (std::size_t i = 0; i < x.size(); ++i) {
-        for (const std::uint32_t j : near.of(i)) distances[i] = std::min(distances[i], std::hypot(x[j] - x[i], y[j] - y[i]));
+        for (const std::uint32_t j : near.of(i))
+            distances[i] = std::min(distances[i], std::hypot(x[j] - x[i], y[j] - y[i]));
     }
     return distances;
 }

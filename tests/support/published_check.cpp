@@ -21,9 +21,11 @@ public:
 
     void values(const std::string& what, const std::vector<double>& found, const std::vector<double>& wanted,
                 double noise) {
-        if (found.size() != wanted.size()) return wrong("{}: {} cells instead of {}", what, found.size(), wanted.size());
+        if (found.size() != wanted.size())
+            return wrong("{}: {} cells instead of {}", what, found.size(), wanted.size());
         const auto [low, high] = std::minmax_element(wanted.begin(), wanted.end());
-        const double allowed = std::max(4e-6 * std::max(*high - *low, std::abs(*high)), 4 * noise);
+        const double share = state_ == "final" ? 1e-5 : 4e-6;
+        const double allowed = std::max(share * std::max(*high - *low, std::abs(*high)), 4 * noise);
         for (std::size_t i = 0; i < found.size(); ++i) {
             if (std::abs(found[i] - wanted[i]) <= allowed) continue;
             return wrong("{} of cell {}: {} instead of {}, {:.3g} allowed", what, i, found[i], wanted[i], allowed);

@@ -1,14 +1,14 @@
-// See support_tissues.hpp.
-#include "opencl_cells/support_tissues.hpp"
+// See free_cells.hpp.
+#include "support/free_cells.hpp"
 
 #include "core/prepattern.hpp"
 #include "language/parse.hpp"
-#include "opencl_cells/support_session.hpp"
 #include "reference/cells.hpp"
+#include "support/opencl_session.hpp"
 #include "support/shared.hpp"
 
-#include <catch2/catch.hpp>
 #include <fmt/format.h>
+#include <catch2/catch.hpp>
 
 #include <algorithm>
 #include <bit>
@@ -59,22 +59,22 @@ std::unique_ptr<Tissue> on_reference(std::shared_ptr<const Experiment> what, Pre
     return make_reference_cells(std::move(what), initial, precision);
 }
 
-std::unique_ptr<Tissue> on_device(std::shared_ptr<const Experiment> what, const CellsOptions& options, Precision precision) {
+std::unique_ptr<Tissue> on_device(std::shared_ptr<const Experiment> what, const CellsOptions& options,
+                                  Precision precision) {
     const Snapshot initial = initial_state(*what);
     return make_opencl_cells(shared_session(precision), std::move(what), initial, options);
 }
 
 std::string difference(const Snapshot& expected, const Snapshot& found) {
-    std::vector<std::string> all{
-        expected.iteration == found.iteration ? "" : "iteration",
-        differing("x", expected.x, found.x),
-        differing("y", expected.y, found.y),
-        differing("polarity x", expected.polarity_x, found.polarity_x),
-        differing("polarity y", expected.polarity_y, found.polarity_y),
-        differing("birth", expected.birth, found.birth),
-        differing("neighbours", expected.neighbours, found.neighbours),
-        differing("fixed", expected.fixed, found.fixed),
-        expected.mirrors == found.mirrors ? "" : "mirrors"};
+    std::vector<std::string> all{expected.iteration == found.iteration ? "" : "iteration",
+                                 differing("x", expected.x, found.x),
+                                 differing("y", expected.y, found.y),
+                                 differing("polarity x", expected.polarity_x, found.polarity_x),
+                                 differing("polarity y", expected.polarity_y, found.polarity_y),
+                                 differing("birth", expected.birth, found.birth),
+                                 differing("neighbours", expected.neighbours, found.neighbours),
+                                 differing("fixed", expected.fixed, found.fixed),
+                                 expected.mirrors == found.mirrors ? "" : "mirrors"};
     const auto planes = [&](const std::string& what, const auto& a, const auto& b) {
         if (a.size() != b.size()) all.push_back("number of " + what);
         for (std::size_t i = 0; i < std::min(a.size(), b.size()); ++i) {
