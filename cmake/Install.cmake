@@ -4,9 +4,7 @@ set(package_folder ${CMAKE_INSTALL_LIBDIR}/cmake/pelage)
 
 install(TARGETS pelage EXPORT pelage_targets ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR})
 install(EXPORT pelage_targets NAMESPACE pelage:: DESTINATION ${package_folder})
-if(TARGET pelage_command)
-  install(TARGETS pelage_command RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR})
-endif()
+install(TARGETS pelage_command RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR})
 
 # Headers are included as "core/experiment.hpp", here and by users. Of the backends and the language only the doors
 # are public; what lies behind them may change.

@@ -12,7 +12,7 @@
 
 // What a step leaves for the next one, and for the host once a batch.
 struct pelage_progress {
-    int moved;     // bits of a float: the largest squared way of a cell since the lists were built
+    int moved;     // some cell has moved too far since the lists were built
     int children;  // born in this step
     int skipped;   // nothing was done, for the lists could not be relied on
     int unused;

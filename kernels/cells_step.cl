@@ -76,12 +76,12 @@ __kernel void pelage_cells_step(int n, int pitch, PELAGE_CELLS(const, _old), PEL
                                 __global const scalar* restrict built, __global const int* restrict lengths,
                                 __global const int* restrict lists, int capacity, __global const int* restrict longest,
                                 scalar half_width, scalar half_height, __global uint* restrict divides,
-                                __global scalar* restrict degrees, int threshold,
+                                __global scalar* restrict degrees, scalar longest_way,
                                 __global struct pelage_progress* restrict progress, int step, uint iteration) {
     const int first = (int)get_global_id(0) * PELAGE_WIDTH;
     if (first >= n) return;
     __global const struct pelage_progress* before = progress + step - 1;
-    if (before->moved > threshold || before->children > 0 || before->skipped || longest[0] > capacity) {
+    if (before->moved || before->children > 0 || before->skipped || longest[0] > capacity) {
         if (first == 0) progress[step].skipped = 1;
         return;
     }
@@ -132,11 +132,8 @@ __kernel void pelage_cells_step(int n, int pitch, PELAGE_CELLS(const, _old), PEL
     const real way_y = new_y - LOAD(built + pitch + first);
     scalar ways[PELAGE_WIDTH];
     STORE(way_x * way_x + way_y * way_y, ways);
-    float way = 0;
     for (int lane = 0; lane < PELAGE_WIDTH; ++lane) {
-        if (first + lane < n) way = fmax(way, (float)ways[lane]);
+        if (first + lane < n && ways[lane] > longest_way) progress[step].moved = 1;
     }
-    const int moved = as_int(way);
-    if (moved > progress[step].moved) atomic_max(&progress[step].moved, moved);
     if (children > 0) atomic_add(&progress[step].children, children);
 }

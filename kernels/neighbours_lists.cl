@@ -113,7 +113,7 @@ static inline void pelage_list_store(__global int* list, const int* found, int l
 
 #endif
 
-// longest[0] grows to the longest list, also past the capacity: the caller then makes room and repeats.
+// longest[0] grows to the longest list that does not fit: the caller then makes room and repeats.
 __kernel void pelage_neighbours_lists(__global const scalar* restrict positions, int pitch,
                                       __global const int* restrict ids, __global const int* restrict starts, int n,
                                       __global const struct pelage_grid* restrict grid_in, scalar square, int capacity,
@@ -164,7 +164,6 @@ __kernel void pelage_neighbours_lists(__global const scalar* restrict positions,
         if (length <= min(capacity & ~15, 32)) {
             pelage_list_store(list, found, length, self, ids);
             lengths[self] = length;
-            if (length > longest[0]) atomic_max(longest, length);
             return;
         }
         length = 0;
@@ -192,5 +191,5 @@ __kernel void pelage_neighbours_lists(__global const scalar* restrict positions,
 #endif
     pelage_list_sort(list, min(length, capacity), ids);
     lengths[self] = length;
-    if (length > longest[0]) atomic_max(longest, length);
+    if (length > capacity) atomic_max(longest, length);
 }

@@ -90,5 +90,5 @@ __kernel void pelage_matrix_lists(__global const scalar* restrict x, __global co
     }
     pelage_list_sort(list, min(length, capacity), ids);
     lengths[cell[place]] = length;
-    if (length > longest[0]) atomic_max(longest, length);
+    if (length > capacity) atomic_max(longest, length);
 }

@@ -5,9 +5,9 @@
 #include "core/prepattern.hpp"
 #include "language/parse.hpp"
 
+#include <fmt/format.h>
 #include <CLI/Config.hpp>
 #include <CLI/Formatter.hpp>
-#include <fmt/format.h>
 
 #include <cstdio>
 #include <memory>

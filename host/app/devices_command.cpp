@@ -5,9 +5,9 @@
 #include "io/atomic_file.hpp"
 #include "opencl/device.hpp"
 
+#include <fmt/format.h>
 #include <CLI/Config.hpp>
 #include <CLI/Formatter.hpp>
-#include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
@@ -80,7 +80,8 @@ nlohmann::ordered_json json_of(const std::vector<DeviceInfo>& devices) {
 int list(const std::filesystem::path& json) {
     const std::vector<DeviceInfo> devices = list_devices();
     if (devices.empty()) {
-        fmt::print("No OpenCL device is there: experiments run on the reference. pocl-opencl-icd makes one of the CPU.\n");
+        fmt::print(
+            "No OpenCL device is there: experiments run on the reference. pocl-opencl-icd makes one of the CPU.\n");
     } else {
         print_table(devices);
     }

@@ -59,12 +59,13 @@ void FiniteGuard::narrow(Breakdown& breakdown) {
 std::string describe(const Breakdown& breakdown, const Tissue& tissue) {
     const Snapshot state = tissue.read();
     const auto [chemical, cell] = breakdown.where;
-    const std::string place = state.lattice() ? fmt::format("cell {} (row {}, column {})", cell, cell / state.columns,
-                                                            cell % state.columns)
-                                              : fmt::format("cell {}", cell);
+    const std::string place =
+        state.lattice() ? fmt::format("cell {} (row {}, column {})", cell, cell / state.columns, cell % state.columns)
+                        : fmt::format("cell {}", cell);
     const bool exact = breakdown.iteration <= breakdown.finite_after + 1;
-    const std::string when = exact ? fmt::format("in iteration {}", breakdown.iteration)
-                                   : fmt::format("between iterations {} and {}", breakdown.finite_after, breakdown.iteration);
+    const std::string when =
+        exact ? fmt::format("in iteration {}", breakdown.iteration)
+              : fmt::format("between iterations {} and {}", breakdown.finite_after, breakdown.iteration);
     return fmt::format("chemical '{}' became {} {}, first in {}", tissue.experiment().chemicals[chemical].name,
                        state.conc[chemical][cell], when, place);
 }

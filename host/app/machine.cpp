@@ -26,7 +26,12 @@ std::string processor_name() {
 Machine on_reference(const RunOptions& options, const Experiment& experiment) {
     if (!options.device.empty()) throw Error("--device chooses an OpenCL device; it goes with --backend opencl");
     if (options.fast) throw Error("--fast changes only how OpenCL computes; it goes with --backend opencl");
-    Machine machine{reference_backend(options.precision), "reference", {}, processor_name(), __VERSION__, "C++",
+    Machine machine{reference_backend(options.precision),
+                    "reference",
+                    {},
+                    processor_name(),
+                    __VERSION__,
+                    "C++",
                     "-ffp-contract=off"};
     const std::string reason = machine.backend->why_not(experiment);
     if (!reason.empty()) throw Error(fmt::format("the reference cannot run this experiment: {}", reason));

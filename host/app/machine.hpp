@@ -13,10 +13,10 @@ namespace pelage::app {
 
 struct Machine {
     std::unique_ptr<Backend> backend;
-    std::string kind;      // "reference" or "opencl"
-    std::string why;       // why not opencl, when nobody asked for the reference; else empty
-    std::string device;    // its name
-    std::string driver;    // its version; the compiler's for the reference
+    std::string kind;    // "reference" or "opencl"
+    std::string why;     // why not opencl, when nobody asked for the reference; else empty
+    std::string device;  // its name
+    std::string driver;  // its version; the compiler's for the reference
     std::string platform;
     std::string build_options;
 };

@@ -1,10 +1,10 @@
 // The `pelage` command: picks the subcommand and turns every error into one sentence and an exit code.
 #include "app/commands.hpp"
 
-#include <CLI/Config.hpp>
-#include <CLI/Formatter.hpp>
 #include <fmt/format.h>
 #include <fmt/ranges.h>
+#include <CLI/Config.hpp>
+#include <CLI/Formatter.hpp>
 
 #include <algorithm>
 #include <cstdio>
@@ -43,8 +43,9 @@ int run(int argc, char** argv) {
     app.set_version_flag("--version", "pelage " PELAGE_VERSION, "Print the version and stop");
     app.require_subcommand(1);
     app.get_formatter()->column_width(34);
-    app.footer("Exit codes: 0 success; 1 a run met NaN or infinity; 2 bad input; 130 stopped by Ctrl-C.\n"
-               "`pelage COMMAND --help` tells the options of one command.");
+    app.footer(
+        "Exit codes: 0 success; 1 a run met NaN or infinity; 2 bad input; 130 stopped by Ctrl-C.\n"
+        "`pelage COMMAND --help` tells the options of one command.");
     pelage::app::add_run(app, exit_code);
     pelage::app::add_devices(app, exit_code);
     pelage::app::add_check(app, exit_code);

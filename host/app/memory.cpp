@@ -26,9 +26,9 @@ double activations(const Rule& rule, std::uint64_t last) {
 }
 
 double final_cells(const Experiment& experiment, std::uint64_t last) {
-    const auto matrix = std::find_if(experiment.prepattern.begin(), experiment.prepattern.end(), [](const auto& statement) {
-        return std::holds_alternative<CreateMatrix>(statement);
-    });
+    const auto matrix =
+        std::find_if(experiment.prepattern.begin(), experiment.prepattern.end(),
+                     [](const auto& statement) { return std::holds_alternative<CreateMatrix>(statement); });
     if (matrix == experiment.prepattern.end()) return static_cast<double>(count_cells(experiment));
     auto columns = static_cast<double>(std::get<CreateMatrix>(*matrix).columns);
     auto rows = static_cast<double>(std::get<CreateMatrix>(*matrix).rows);

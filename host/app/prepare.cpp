@@ -33,11 +33,12 @@ bool seeded_by_clock(const Experiment& experiment) {
 void settle_seed(Experiment& experiment, const std::optional<Checkpoint>& checkpoint) {
     if (!seeded_by_clock(experiment)) return;
     const auto now = std::chrono::system_clock::now().time_since_epoch();
-    experiment.seed = checkpoint ? checkpoint->info.seed
-                                 : std::chrono::duration_cast<std::chrono::seconds>(now).count();
+    experiment.seed =
+        checkpoint ? checkpoint->info.seed : std::chrono::duration_cast<std::chrono::seconds>(now).count();
 }
 
-void compare(const Checkpoint& checkpoint, const Experiment& experiment, const RunOptions& options, std::uint64_t last) {
+void compare(const Checkpoint& checkpoint, const Experiment& experiment, const RunOptions& options,
+             std::uint64_t last) {
     const std::string name = options.resume.string();
     if (checkpoint.info.experiment != experiment.text) {
         throw Error(fmt::format("{} was saved by another experiment ({}) than {}, or that was edited since", name,
@@ -80,10 +81,10 @@ void check_stability(const Experiment& experiment, const Snapshot& initial) {
     const std::optional<Instability> found = find_instability(experiment, initial);
     if (!found) return;
     const std::string where = found->phase.empty() ? "" : fmt::format(" in phase '{}'", found->phase);
-    throw Error(fmt::format("{}: chemical '{}' diffuses unstably{}: with rate {} the time step may be {:.6g} at most, it "
-                            "is {}; lower `define time_step` or the rate, or go on with --force",
-                            experiment.source, found->chemical, where, found->rate, found->largest_time_step,
-                            found->time_step));
+    throw Error(fmt::format(
+        "{}: chemical '{}' diffuses unstably{}: with rate {} the time step may be {:.6g} at most, it "
+        "is {}; lower `define time_step` or the rate, or go on with --force",
+        experiment.source, found->chemical, where, found->rate, found->largest_time_step, found->time_step));
 }
 
 void prepare_folder(const fs::path& folder) {

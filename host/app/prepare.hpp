@@ -11,7 +11,7 @@
 namespace pelage::app {
 
 struct Prepared {
-    Experiment experiment;  // with --seed; a seed taken from the clock is written into it
+    Experiment experiment;   // with --seed; a seed taken from the clock is written into it
     std::uint64_t last = 0;  // where the run ends
     std::optional<Snapshot> resumed;
 };

@@ -83,7 +83,8 @@ void Progress::show(const std::string& phase, std::uint64_t iteration, double up
     const double seconds = std::chrono::duration<double>(now - start_).count();
     const auto done = static_cast<double>(iteration - first_);
     const double left = done > 0 ? seconds * static_cast<double>(last_ - iteration) / done : INFINITY;
-    const std::string line = progress_line(phase, iteration, last_, left, updates / seconds, bar ? terminal_width() : 0);
+    const std::string line =
+        progress_line(phase, iteration, last_, left, updates / seconds, bar ? terminal_width() : 0);
     fmt::print(stderr, "{}{}{}", bar ? "\r\x1b[K" : "", line, bar ? "" : "\n");
     std::fflush(stderr);
     drawn_ = bar;

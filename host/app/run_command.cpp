@@ -54,7 +54,8 @@ void add_course_options(CLI::App& command, RunOptions& options) {
         ->type_name("N")
         ->check(count_from(0));
     command
-        .add_option("--seed", options.seed, "Seed of all random numbers, instead of the experiment's; 0: from the clock")
+        .add_option("--seed", options.seed,
+                    "Seed of all random numbers, instead of the experiment's; 0: from the clock")
         ->type_name("N");
     command
         .add_option("--checkpoint-every", options.checkpoint_every,
@@ -70,10 +71,12 @@ void add_course_options(CLI::App& command, RunOptions& options) {
 
 void add_result_options(CLI::App& command, RunOptions& options) {
     command
-        .add_option("--out", options.out, "Folder for the results, made if need be. Default: out/NAME of the experiment")
+        .add_option("--out", options.out,
+                    "Folder for the results, made if need be. Default: out/NAME of the experiment")
         ->type_name("DIR");
     command
-        .add_option("--format", options.formats, "Files to write, separated by commas: exr, png, npy, csv, vti. Default: exr,png")
+        .add_option("--format", options.formats,
+                    "Files to write, separated by commas: exr, png, npy, csv, vti. Default: exr,png")
         ->type_name("LIST")
         ->each([](const std::string& list) { parse_formats(list); });
     command

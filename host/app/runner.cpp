@@ -154,7 +154,8 @@ private:
 void announce(const RunOptions& options, const Prepared& prepared, const Machine& machine, const Tissue& tissue) {
     if (options.quiet) return;
     fmt::print(stderr, "{}: {} cells, iterations {} to {}, seed {}\n", prepared.experiment.source,
-               grouped(tissue.cells()), grouped(tissue.iteration()), grouped(prepared.last), prepared.experiment.run_seed());
+               grouped(tissue.cells()), grouped(tissue.iteration()), grouped(prepared.last),
+               prepared.experiment.run_seed());
     fmt::print(stderr, "backend: {} ({}), {}\n", machine.kind, machine.device,
                options.precision == Precision::double_ ? "double" : "float");
     if (!machine.why.empty()) fmt::print(stderr, "not opencl: {}\n", machine.why);

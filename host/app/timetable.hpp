@@ -9,10 +9,10 @@ namespace pelage::app {
 
 // Iterations at which a run stops between two batches to write something.
 struct Timetable {
-    std::uint64_t last = 0;                // where the run ends
-    std::vector<std::uint64_t> snap_at;    // ascending
-    std::uint64_t snap_every = 0;          // 0: never
-    std::uint64_t checkpoint_every = 0;    // 0: never
+    std::uint64_t last = 0;              // where the run ends
+    std::vector<std::uint64_t> snap_at;  // ascending
+    std::uint64_t snap_every = 0;        // 0: never
+    std::uint64_t checkpoint_every = 0;  // 0: never
 
     bool snapshot_at(std::uint64_t iteration) const;
     bool checkpoint_at(std::uint64_t iteration) const;

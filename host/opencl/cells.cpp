@@ -13,7 +13,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <bit>
 #include <cmath>
 #include <variant>
 #include <vector>
@@ -78,7 +77,7 @@ private:
     void build_lists();
     void find_lists();
     void make_longer_lists();
-    cl_int threshold() const;
+    double longest_way() const;
 
     std::shared_ptr<const Session> session_;
     CellsOptions options_;
@@ -204,14 +203,12 @@ cl_uint OpenclCells::bind(cl::Kernel& kernel, const CellsWritten& written, bool 
         }
     }
     arguments.add(state_.built(), lists_.lengths, lists_.entries, lists_.capacity, lists_.longest, Scalar{half_width},
-                  Scalar{half_height}, state_.divides(), state_.degrees(), threshold(), progress_);
+                  Scalar{half_height}, state_.divides(), state_.degrees(), Scalar{longest_way()}, progress_);
     return arguments.next();
 }
 
-// Squared half of the skin, less what rounding may hide, as the bits of a float.
-cl_int OpenclCells::threshold() const {
-    return std::bit_cast<cl_int>(static_cast<float>(options_.skin * options_.skin * 0.2495));
-}
+// Squared half of the skin, less what rounding may hide.
+double OpenclCells::longest_way() const { return options_.skin * options_.skin * 0.2495; }
 
 void OpenclCells::conclude(const CellsStep& step, std::uint64_t first, std::size_t done, const Progress& last) {
     if (done % 2 == 1) {
@@ -221,7 +218,7 @@ void OpenclCells::conclude(const CellsStep& step, std::uint64_t first, std::size
     }
     if (last.children > 0) divide(step.written, first + done - 1, static_cast<std::size_t>(last.children));
     // An approximate search goes on sorting even where nothing moves.
-    fresh_ = !approximate() && last.children == 0 && last.moved <= threshold();
+    fresh_ = !approximate() && last.children == 0 && last.moved == 0;
     batch_ = fresh_ ? std::min(options_.batch, 2 * batch_) : std::clamp<std::size_t>(done + 1, 1, batch_);
 }
 

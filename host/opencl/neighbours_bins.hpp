@@ -23,7 +23,7 @@ struct NeighbourTuning {
 struct DeviceLists {
     cl::Buffer lengths;  // int, one a point
     cl::Buffer entries;  // int, blocks of 16 points x capacity
-    cl::Buffer longest;  // int, grows to the longest list; above `capacity` the lists are cut off
+    cl::Buffer longest;  // int, grows to the longest list that is cut off, being longer than `capacity`
     int capacity = 0;
     std::size_t points = 0;  // there is room for
 

@@ -10,9 +10,9 @@
 #include <csignal>
 
 using test::Child;
+using test::command;
 using test::Folder;
 using test::Outcome;
-using test::command;
 using test::read_all;
 
 namespace {
@@ -36,9 +36,10 @@ struct Case {
 TEST_CASE("Ctrl-C saves a checkpoint, and the command it prints ends in the bits of an uninterrupted run") {
     const Folder folder;
     const std::string file = folder.write("it's spots.pex", test::spots);
-    const auto [backend, iterations, signal] =
-        GENERATE(Case{"reference", "60000", SIGINT}, Case{"reference", "60000", SIGTERM}, Case{"opencl", "150000", SIGINT});
-    const std::vector<std::string> common{"run", file, "--backend", backend, "--iterations", iterations, "--format", "npy"};
+    const auto [backend, iterations, signal] = GENERATE(
+        Case{"reference", "60000", SIGINT}, Case{"reference", "60000", SIGTERM}, Case{"opencl", "150000", SIGINT});
+    const std::vector<std::string> common{"run",          file,       "--backend", backend,
+                                          "--iterations", iterations, "--format",  "npy"};
     std::vector<std::string> words = common;
     words.insert(words.begin(), PELAGE_COMMAND);
     words.insert(words.end(), {"--out", folder / "broken off", "--checkpoint-every", "500"});
@@ -75,8 +76,8 @@ namespace {
 
 // A run of `text` to iteration 60 that left a checkpoint at iteration 40.
 std::filesystem::path checkpoint_at_40(const Folder& folder, const std::string& file) {
-    const Outcome outcome = command({"run", file, "--backend", "reference", "--out", folder / "first", "--format", "npy",
-                                    "--checkpoint-every", "20"});
+    const Outcome outcome = command({"run", file, "--backend", "reference", "--out", folder / "first", "--format",
+                                     "npy", "--checkpoint-every", "20"});
     INFO(outcome.err);
     REQUIRE(outcome.exit_code == 0);
     const std::filesystem::path path = folder / "first" / "checkpoint.pelage";
@@ -93,8 +94,8 @@ TEST_CASE("--checkpoint-every keeps the latest state, and a run resumed from it 
     const std::filesystem::path checkpoint = checkpoint_at_40(folder, file);
     const std::string backend = GENERATE(as<std::string>(), "reference", "opencl");
 
-    const Outcome outcome = command({"run", file, "--backend", backend, "--out", folder / "second", "--format", "npy",
-                                    "--resume", checkpoint});
+    const Outcome outcome = command(
+        {"run", file, "--backend", backend, "--out", folder / "second", "--format", "npy", "--resume", checkpoint});
 
     INFO(outcome.err);
     REQUIRE(outcome.exit_code == 0);
@@ -110,14 +111,16 @@ TEST_CASE("a checkpoint of another run is refused with the difference") {
     const std::string file = folder.write("spots.pex", test::spots);
     const std::string checkpoint = checkpoint_at_40(folder, file);
     const auto resume = [&](const std::string& other, const std::vector<std::string>& more) {
-        std::vector<std::string> words{"run", other, "--backend", "reference", "--out", folder / "b", "--resume", checkpoint};
+        std::vector<std::string> words{"run",   other,        "--backend", "reference",
+                                       "--out", folder / "b", "--resume",  checkpoint};
         words.insert(words.end(), more.begin(), more.end());
         const Outcome outcome = command(words);
         CHECK(outcome.exit_code == 2);
         return outcome.err;
     };
 
-    CHECK_THAT(resume(folder.write("other.pex", test::spots + "// edited\n"), {}), Catch::Contains("another experiment"));
+    CHECK_THAT(resume(folder.write("other.pex", test::spots + "// edited\n"), {}),
+               Catch::Contains("another experiment"));
     CHECK_THAT(resume(file, {"--precision", "double"}), Catch::Contains("--precision float"));
     CHECK_THAT(resume(file, {"--seed", "8"}), Catch::Contains("--seed 7"));
     CHECK_THAT(resume(file, {"--iterations", "39"}), Catch::Contains("iteration 40"));
@@ -130,11 +133,16 @@ TEST_CASE("a truncated, corrupted or missing checkpoint is refused") {
     const std::string bytes = read_all(checkpoint_at_40(folder, file));
     std::string flipped = bytes;
     flipped[bytes.size() / 2] = static_cast<char>(flipped[bytes.size() / 2] ^ 1);
-    const std::vector<std::string> bad{folder.write("short", bytes.substr(0, bytes.size() / 2)), folder.write("empty", ""),
-                                       folder.write("flipped", flipped), file, folder / "missing", folder.path()};
+    const std::vector<std::string> bad{folder.write("short", bytes.substr(0, bytes.size() / 2)),
+                                       folder.write("empty", ""),
+                                       folder.write("flipped", flipped),
+                                       file,
+                                       folder / "missing",
+                                       folder.path()};
 
     for (const std::string& checkpoint : bad) {
-        const Outcome outcome = command({"run", file, "--backend", "reference", "--out", folder / "b", "--resume", checkpoint});
+        const Outcome outcome =
+            command({"run", file, "--backend", "reference", "--out", folder / "b", "--resume", checkpoint});
 
         INFO(checkpoint << ": " << outcome.err);
         CHECK(outcome.exit_code == 2);

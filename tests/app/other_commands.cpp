@@ -6,9 +6,9 @@
 #include <nlohmann/json.hpp>
 
 using Catch::Contains;
+using test::command;
 using test::Folder;
 using test::Outcome;
-using test::command;
 using test::read_all;
 
 TEST_CASE("devices lists a usable device with all that one wants to know") {
@@ -24,7 +24,8 @@ TEST_CASE("devices lists a usable device with all that one wants to know") {
     std::size_t usable = 0;
     for (const auto& device : devices) {
         CHECK(outcome.out.find(device.at("device").get<std::string>()) != std::string::npos);
-        for (const char* key : {"index", "platform", "version", "driver", "memory", "fp64", "correctly_rounded_division"}) {
+        for (const char* key :
+             {"index", "platform", "version", "driver", "memory", "fp64", "correctly_rounded_division"}) {
             CHECK(device.contains(key));
         }
         if (device.at("usable")) ++usable;

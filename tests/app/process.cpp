@@ -72,7 +72,8 @@ std::string read_all(const std::filesystem::path& path) {
 
 std::vector<std::string> names_in(const std::filesystem::path& folder) {
     std::vector<std::string> names;
-    for (const auto& entry : std::filesystem::directory_iterator(folder)) names.push_back(entry.path().filename().string());
+    for (const auto& entry : std::filesystem::directory_iterator(folder))
+        names.push_back(entry.path().filename().string());
     std::sort(names.begin(), names.end());
     return names;
 }
@@ -99,7 +100,8 @@ void Child::signal(int number) const { kill(id_, number); }
 Outcome Child::wait() {
     const auto end = std::chrono::steady_clock::now() + patience;
     while (running()) {
-        if (std::chrono::steady_clock::now() > end) FAIL("the command did not end; it said: " << read_all(folder_ / "err"));
+        if (std::chrono::steady_clock::now() > end)
+            FAIL("the command did not end; it said: " << read_all(folder_ / "err"));
         std::this_thread::sleep_for(pause);
     }
     const int exit_code = WIFEXITED(status_) ? WEXITSTATUS(status_) : 128 + WTERMSIG(status_);

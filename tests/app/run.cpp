@@ -8,9 +8,9 @@
 #include <algorithm>
 #include <set>
 
+using test::command;
 using test::Folder;
 using test::Outcome;
-using test::command;
 using test::read_all;
 
 namespace {
@@ -34,8 +34,9 @@ TEST_CASE("a run leaves the promised files and a manifest with all keys") {
     INFO(outcome.err);
     REQUIRE(outcome.exit_code == 0);
     CHECK(outcome.out.find((folder / "out").string()) != std::string::npos);
-    CHECK(test::names_in(folder / "out") == std::vector<std::string>{"final.U.npy", "final.V.npy", "final.csv", "final.exr",
-                                                                     "final.png", "final.vti", "manifest.json"});
+    CHECK(test::names_in(folder / "out") == std::vector<std::string>{"final.U.npy", "final.V.npy", "final.csv",
+                                                                     "final.exr", "final.png", "final.vti",
+                                                                     "manifest.json"});
     const nlohmann::json manifest = json_in(folder / "out" / "manifest.json");
     CHECK(manifest.at("backend") == backend);
     CHECK(manifest.at("precision") == "float");
@@ -77,7 +78,8 @@ TEST_CASE("--json writes the manifest's object a second time") {
     const Folder folder;
     const std::string file = folder.write("spots.pex", test::spots);
 
-    const Outcome outcome = run(file, folder / "out", {"--backend", "reference", "--json", folder / "new" / "run.json"});
+    const Outcome outcome =
+        run(file, folder / "out", {"--backend", "reference", "--json", folder / "new" / "run.json"});
 
     INFO(outcome.err);
     REQUIRE(outcome.exit_code == 0);
@@ -103,7 +105,8 @@ TEST_CASE("--iterations moves the end, 0 included") {
     const std::string file = folder.write("spots.pex", test::spots);
     const std::uint64_t count = GENERATE(0u, 1u, 61u, 200u);
 
-    const Outcome outcome = run(file, folder / "out", {"--backend", "reference", "--iterations", std::to_string(count)});
+    const Outcome outcome =
+        run(file, folder / "out", {"--backend", "reference", "--iterations", std::to_string(count)});
 
     REQUIRE(outcome.exit_code == 0);
     CHECK(json_in(folder / "out" / "manifest.json").at("iterations") == count);
@@ -134,7 +137,8 @@ TEST_CASE("seed 0 comes from the clock and is written down, so that the run can 
     REQUIRE(run(file, folder / "a", {"--backend", "reference", "--format", "npy", "--seed", "0"}).exit_code == 0);
     const auto seed = json_in(folder / "a" / "manifest.json").at("seed").get<std::int64_t>();
 
-    REQUIRE(run(file, folder / "b", {"--backend", "reference", "--format", "npy", "--seed", std::to_string(seed)}).exit_code == 0);
+    REQUIRE(run(file, folder / "b", {"--backend", "reference", "--format", "npy", "--seed", std::to_string(seed)})
+                .exit_code == 0);
 
     CHECK(seed > 1'000'000'000);
     CHECK(read_all(folder / "a" / "final.U.npy") == read_all(folder / "b" / "final.U.npy"));
@@ -145,7 +149,8 @@ TEST_CASE("--precision double computes in double") {
     const std::string file = folder.write("spots.pex", test::spots);
 
     REQUIRE(run(file, folder / "a", {"--backend", "reference", "--format", "npy"}).exit_code == 0);
-    REQUIRE(run(file, folder / "b", {"--backend", "reference", "--format", "npy", "--precision", "double"}).exit_code == 0);
+    REQUIRE(run(file, folder / "b", {"--backend", "reference", "--format", "npy", "--precision", "double"}).exit_code ==
+            0);
 
     CHECK(json_in(folder / "b" / "manifest.json").at("precision") == "double");
     CHECK(read_all(folder / "b" / "final.U.npy").size() == 128 + 24 * 16 * 8);
@@ -156,12 +161,13 @@ TEST_CASE("snapshots are named after their iteration") {
     const Folder folder;
     const std::string file = folder.write("spots.pex", test::spots + "snap at 5 33\n");
 
-    const Outcome outcome = run(file, folder / "out", {"--backend", "reference", "--format", "png,csv", "--snap-every", "25"});
+    const Outcome outcome =
+        run(file, folder / "out", {"--backend", "reference", "--format", "png,csv", "--snap-every", "25"});
 
     REQUIRE(outcome.exit_code == 0);
-    CHECK(test::names_in(folder / "out") ==
-          std::vector<std::string>{"0.csv", "0.png", "25.csv", "25.png", "33.csv", "33.png", "5.csv", "5.png", "50.csv",
-                                   "50.png", "final.csv", "final.png", "manifest.json"});
+    CHECK(test::names_in(folder / "out") == std::vector<std::string>{"0.csv", "0.png", "25.csv", "25.png", "33.csv",
+                                                                     "33.png", "5.csv", "5.png", "50.csv", "50.png",
+                                                                     "final.csv", "final.png", "manifest.json"});
 }
 
 TEST_CASE("snapshots and batches change no bit of the result") {
@@ -212,8 +218,8 @@ TEST_CASE("options may stand before the file, and a seed may be negative") {
     const Folder folder;
     const std::string file = folder.write("spots.pex", test::spots);
 
-    const Outcome outcome =
-        command({"run", "--backend", "reference", "--seed", "-3", "--out", folder / "out", "--format", "npy,png", file});
+    const Outcome outcome = command(
+        {"run", "--backend", "reference", "--seed", "-3", "--out", folder / "out", "--format", "npy,png", file});
 
     INFO(outcome.err);
     REQUIRE(outcome.exit_code == 0);

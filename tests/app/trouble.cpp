@@ -10,9 +10,9 @@
 #include <cmath>
 
 using Catch::Contains;
+using test::command;
 using test::Folder;
 using test::Outcome;
-using test::command;
 using test::read_all;
 
 namespace {
@@ -54,8 +54,9 @@ TEST_CASE("an experiment that cannot be read is refused") {
     check_refused(command({"run", folder / "missing.pex"}), "missing.pex");
     check_refused(command({"run", folder.path()}), folder.path().string());
     check_refused(command({"run", folder.write("empty.pex", "")}), "empty.pex");
-    check_refused(command({"run", folder.write("bad.pex", "define chemical U\ncreate matrix 4 4\nrule always grow U\n")}),
-                  "bad.pex:3:");
+    check_refused(
+        command({"run", folder.write("bad.pex", "define chemical U\ncreate matrix 4 4\nrule always grow U\n")}),
+        "bad.pex:3:");
 }
 
 TEST_CASE("a folder that cannot be written to is refused before the run") {
@@ -66,7 +67,8 @@ TEST_CASE("a folder that cannot be written to is refused before the run") {
     for (const std::string& out : bad) {
         check_refused(command({"run", file, "--backend", "reference", "--quiet", "--out", out}), out);
     }
-    const Outcome json = command({"run", file, "--backend", "reference", "--quiet", "--out", folder / "out", "--json", file + "/run.json"});
+    const Outcome json = command(
+        {"run", file, "--backend", "reference", "--quiet", "--out", folder / "out", "--json", file + "/run.json"});
     check_refused(json, file);
 }
 
@@ -112,8 +114,9 @@ TEST_CASE("an unstable time step is refused with the largest that holds; --force
 
 TEST_CASE("the phase of an unstable time step is named") {
     const Folder folder;
-    const std::string text = "define chemical A limit 1\ndefine time_step 0.01\nuse chemical A conc 0.5 diff 1\n"
-                             "create matrix 8 8\nphase \"calm\" 10\nphase \"storm\" 10\nuse chemical A diff 100\n";
+    const std::string text =
+        "define chemical A limit 1\ndefine time_step 0.01\nuse chemical A conc 0.5 diff 1\n"
+        "create matrix 8 8\nphase \"calm\" 10\nphase \"storm\" 10\nuse chemical A diff 100\n";
 
     const Outcome outcome = command({"run", folder.write("phases.pex", text), "--out", folder / "out"});
 
@@ -143,7 +146,8 @@ TEST_CASE("in double the same infinity comes at iteration 1024") {
     const Folder folder;
     const std::string file = folder.write("doubling.pex", test::doubling);
 
-    const Outcome outcome = command({"run", file, "--backend", "reference", "--precision", "double", "--out", folder / "out"});
+    const Outcome outcome =
+        command({"run", file, "--backend", "reference", "--precision", "double", "--out", folder / "out"});
 
     CHECK(outcome.exit_code == 1);
     CHECK_THAT(outcome.err, Contains("in iteration 1024"));
@@ -152,7 +156,8 @@ TEST_CASE("in double the same infinity comes at iteration 1024") {
 TEST_CASE("when the disk is full the error names the file and earlier results stay whole") {
     const Folder folder;
     const std::string file = folder.write("spots.pex", test::spots);
-    const std::vector<std::string> words{"run", file, "--backend", "reference", "--out", folder / "out", "--format", "csv"};
+    const std::vector<std::string> words{"run",   file,           "--backend", "reference",
+                                         "--out", folder / "out", "--format",  "csv"};
     REQUIRE(command(words).exit_code == 0);
     const std::string before = read_all(folder / "out" / "final.csv");
     test::Surroundings cramped;

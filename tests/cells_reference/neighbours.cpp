@@ -157,7 +157,7 @@ TEMPLATE_TEST_CASE("lists that are kept find the same as lists made anew", "", f
             cloud.x[i] += step(size);
             cloud.y[i] += step(size);
         }
-        const std::size_t born = iteration % 10 == 9 ? 150 : iteration % 3;
+        const auto born = static_cast<std::size_t>(iteration % 10 == 9 ? 150 : iteration % 3);
         for (std::size_t i = 0; i < born; ++i) cloud.add(cloud.x[i * 2] + step(T(1)), cloud.y[i * 2] + step(T(1)));
         if (iteration == 80) cloud = test::scattered<T>(300, T(30), T(30), 11);
         if (iteration == 90) cloud.x[5] = std::numeric_limits<T>::quiet_NaN();

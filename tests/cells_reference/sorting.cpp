@@ -39,7 +39,7 @@ bool every_id_once(const SortedMatrix<T>& matrix, std::size_t cells) {
 
 TEMPLATE_TEST_CASE("rows are sorted by x and columns by y", "", float, double) {
     using T = TestType;
-    const std::size_t cells = GENERATE(1, 2, 3, 4, 5, 8, 9, 10, 97, 100, 1021);
+    const std::size_t cells = GENERATE(1u, 2u, 3u, 4u, 5u, 8u, 9u, 10u, 97u, 100u, 1021u);
     test::Cloud<T> cloud = test::scattered<T>(cells, T(60), T(60), 1);
     SortedMatrix<T> matrix{SpatialSorting{}};
 
@@ -52,7 +52,7 @@ TEMPLATE_TEST_CASE("rows are sorted by x and columns by y", "", float, double) {
 }
 
 TEST_CASE("a matrix small enough for its window finds every neighbour, those exactly at the radius too") {
-    const std::size_t window = GENERATE(8, 24, 48, 80, 120);
+    const std::size_t window = GENERATE(8u, 24u, 48u, 80u, 120u);
     const auto reach = static_cast<std::size_t>(window < 24    ? 1
                                                 : window < 48  ? 2
                                                 : window < 80  ? 3
@@ -72,7 +72,7 @@ TEST_CASE("a matrix small enough for its window finds every neighbour, those exa
 }
 
 TEST_CASE("what spatial sorting finds are neighbours, and what it misses is counted") {
-    const std::size_t window = GENERATE(8, 24, 48);
+    const std::size_t window = GENERATE(8u, 24u, 48u);
     const test::Cloud<float> cloud = test::scattered<float>(900, 54.0f, 54.0f, 3);
     SortedMatrix<float> matrix(SpatialSorting{window, 0});
     matrix.update(cloud.x, cloud.y);
@@ -105,7 +105,7 @@ TEST_CASE("a wider window misses less") {
     const test::Cloud<double> cloud = test::scattered<double>(2000, 80.0, 80.0, 4);
     double before = 1;
 
-    for (const std::size_t window : {8, 24, 48, 80, 120}) {
+    for (const std::size_t window : {8u, 24u, 48u, 80u, 120u}) {
         SortedMatrix<double> matrix(SpatialSorting{window, 0});
         matrix.update(cloud.x, cloud.y);
         const double rate = matrix.statistics().miss_rate();
@@ -162,7 +162,7 @@ TEST_CASE("statistics of several iterations add up") {
 }
 
 TEST_CASE("a window that is not offered is refused") {
-    const std::size_t window = GENERATE(0, 1, 7, 9, 47, 49, 168);
+    const std::size_t window = GENERATE(0u, 1u, 7u, 9u, 47u, 49u, 168u);
 
     CHECK_THROWS_AS(SortedMatrix<float>(SpatialSorting{window, 0}), Error);
 }

@@ -41,7 +41,7 @@ TEST_CASE("advancing in parts gives the bits of advancing at once") {
     const auto parts = test::cells(lively, precision, search);
 
     const Snapshot expected = test::after(*whole, 60);
-    for (const std::uint64_t count : {1, 0, 9, 11, 1, 38}) parts->advance(count);
+    for (const std::uint64_t count : {1u, 0u, 9u, 11u, 1u, 38u}) parts->advance(count);
 
     REQUIRE(expected.cells() > 180);
     CHECK(test::same(parts->read(), expected));

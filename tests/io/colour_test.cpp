@@ -23,7 +23,7 @@ Output ranged(Output output, double low, double high) {
     return output;
 }
 
-Colours over(Output output, double low, double high) { return Colours(ranged(std::move(output), low, high), {}); }
+Colours over(Output output, double low, double high) { return {ranged(std::move(output), low, high), {}}; }
 
 bool near(const Rgb& a, const Rgb& b, int tolerance) {
     for (std::size_t i = 0; i < 3; ++i) {

@@ -101,7 +101,7 @@ TEST_CASE("Voronoi squares: each pixel belongs to the nearest cell") {
     CHECK(picture.at(226, 150) == red);
     CHECK(picture.at(0, 0) == blue);
     CHECK(picture.at(449, 299) == red);
-    CHECK(count(picture, blue) == 225 * 300);
+    CHECK(count(picture, blue) == std::size_t{225} * 300);
     CHECK(count(picture, white) == 0);
 }
 
@@ -127,8 +127,8 @@ TEST_CASE("polarity marks point along the polarity") {
 }
 
 TEST_CASE("many small cells get a larger picture, absurd places none") {
-    std::vector<double> x;
-    for (int i = 0; i < 1000; ++i) x.push_back(2 * i);
+    std::vector<double> x(1000);
+    for (std::size_t i = 0; i < x.size(); ++i) x[i] = 2 * static_cast<double>(i);
     auto lost = test::cells({0, std::nan("")}, {0, 0});
 
     const auto wide = draw_cells(test::cells(x, std::vector<double>(1000)), Output{}, drawing(CellShape::circle, 800));

@@ -22,6 +22,13 @@ namespace {
 const std::vector<double> u{1, 2, 3, 4, 5, 6};
 const std::vector<double> v{0.1f, -0.0, 1e-40f, 3e38f, -7, 0};
 
+// Floats that hardly compress.
+std::vector<double> waves(std::size_t count) {
+    std::vector<double> values(count);
+    for (std::size_t i = 0; i < count; ++i) values[i] = static_cast<float>(std::sin(static_cast<double>(i * i)));
+    return values;
+}
+
 }  // namespace
 
 TEST_CASE("what goes into an EXR picture comes out of it") {
@@ -59,8 +66,7 @@ TEST_CASE("the top line of an EXR picture is the highest row, and channels are F
 
 TEST_CASE("a written EXR picture is a field again") {
     const Scratch scratch;
-    std::vector<double> values;
-    for (int i = 0; i < 37 * 700; ++i) values.push_back(static_cast<float>(std::sin(i)));  // several blocks of lines
+    const auto values = waves(std::size_t{37} * 700);  // several blocks of lines
 
     write_exr(scratch / "a.exr", 37, 700, {{"morphogen.A", values}}, {});
     const auto field = read_field(scratch / "a.exr", "morphogen.A");
@@ -98,8 +104,7 @@ TEST_CASE("EXR pictures that cannot be are refused in words") {
 
 TEST_CASE("an EXR picture that cannot be written whole is not there") {
     const Scratch scratch;
-    std::vector<double> values;
-    for (int i = 0; i < 128 * 128; ++i) values.push_back(std::sin(i * i));
+    const auto values = waves(std::size_t{128} * 128);
     const auto write = [&](const std::filesystem::path& path) {
         return test::error_of([&] { write_exr(path, 128, 128, {{"U", values}}, {}); });
     };

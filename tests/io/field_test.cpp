@@ -43,6 +43,7 @@ std::string make_png(unsigned columns, const PngKind& kind, std::vector<std::str
                  0);
     if (!palette.empty()) png_set_PLTE(png, info, palette.data(), static_cast<int>(palette.size()));
     std::vector<png_bytep> rows;
+    rows.reserve(lines.size());
     for (auto& line : lines) rows.push_back(reinterpret_cast<png_bytep>(line.data()));
     png_write_info(png, info);
     png_write_image(png, rows.data());
@@ -81,13 +82,13 @@ void make_exr(const std::filesystem::path& path) {
 }  // namespace
 
 TEST_CASE("a picture's lowest line becomes row 0") {
-    const auto png = make_png(2, {8, PNG_COLOR_TYPE_GRAY}, {"\x01\x02", "\x33\x66", "\xff\xcc"});
+    const auto png = make_png(2, {8, PNG_COLOR_TYPE_GRAY}, {"\x01\x02", "\x33\x99", "\xff\xcc"});
 
     const auto field = parse_png(png, "", "a.png");
 
     CHECK(field.columns == 2);
     CHECK(field.rows == 3);
-    CHECK(field.values == std::vector<double>{1.0, 0.8, 0.2, 0.4, 1 / 255.0, 2 / 255.0});
+    CHECK(field.values == std::vector<double>{1.0, 0.8, 0.2, 0.6, 1 / 255.0, 2 / 255.0});
 }
 
 TEST_CASE("all depths and colour types of PNG are scaled to 0..1") {
@@ -248,7 +249,7 @@ TEST_CASE("absurd sizes are refused before there is memory for them") {
     const auto black = make_png(4096, {1, PNG_COLOR_TYPE_GRAY}, std::vector(4096, std::string(512, '\0')));
 
     CHECK(black.size() < 4096);
-    CHECK(values_of(black) == std::vector<double>(4096 * 4096));
+    CHECK(values_of(black) == std::vector<double>(std::size_t{4096} * 4096));
     CHECK_THAT(test::error_of([&] { values_of(png); }), Contains("at most 2147483647 cells"));
     CHECK_THAT(test::error_of([&] { values_of(long_strip); }), Contains("says 45056 x 45056 but has only"));
 }

@@ -74,7 +74,7 @@ TEST_CASE("shapes and orders of .npy files") {
 }
 
 TEST_CASE("format versions 2 and 3, other spacing and quotes are read") {
-    const std::string text = "{\"shape\":(2,),\"descr\":\"|u1\",\"fortran_order\":False}";
+    const std::string text = R"({"shape":(2,),"descr":"|u1","fortran_order":False})";
     const auto length = static_cast<char>(text.size());
     for (const char version : {'\2', '\3'}) {
         const auto bytes = std::string("\x93NUMPY") + version + '\0' + length + std::string(3, '\0') + text + "\5\6";

@@ -35,7 +35,7 @@ TEST_CASE("colours have CSS names in any case, or six hexadecimal digits") {
     CHECK(find_colour("DarkSlateGrey") == find_colour("darkslategray"));
     CHECK(find_colour("0080ff") == Colour{0x00, 0x80, 0xff});
     CHECK(find_colour("FFbf00") == Colour{0xff, 0xbf, 0x00});
-    for (const auto text : {"", "fff", "0080fg", "-080ff", "+080ff", "0x80ff", "0080ff0", "blackk"}) {
+    for (const char* text : {"", "fff", "0080fg", "-080ff", "+080ff", "0x80ff", "0080ff0", "blackk"}) {
         CHECK_FALSE(find_colour(text).has_value());
     }
 }

@@ -202,7 +202,7 @@ TEST_CASE("the fast option computes, nearly, the same") {
     }
 }
 
-TEST_CASE("a device without double precision says so, and free cells are not mistaken for a lattice") {
+TEST_CASE("a backend bears its device's name and says when it has no double precision") {
     OpenclOptions options;
     options.precision = Precision::double_;
     const auto device = opencl_backend(options);
