@@ -120,7 +120,7 @@ kernel __attribute__((reqd_work_group_size(PELAGE_GROUP, 1, 1))) void pelage_lat
                 for (int c = lane; c < vectors; c += PELAGE_GROUP) {
                     const int x = x0 + c * PELAGE_WIDTH;
                     //@ resume
-#pragma unroll
+                    //@ unroll
                     for (int r = 0; r < PELAGE_BLOCK; ++r) {
                         local const scalar* const above = SCRATCH(level & 1, r, 0) + c * PELAGE_WIDTH;
                         local scalar* const result = SCRATCH(~level & 1, r, 0) + c * PELAGE_WIDTH;

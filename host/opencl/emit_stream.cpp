@@ -43,7 +43,8 @@ public:
                 {"diffusion", diffusion()},
                 {"replace", text.replace},
                 {"finish", finish()},
-                {"put", put()}};
+                {"put", put()},
+                {"unroll", unroll(text)}};
     }
 
     std::size_t carried() const {
@@ -124,6 +125,9 @@ private:
     std::string cell() const {
         return each("TAKE({0})\nTAKE_SUM({0})\nreal n{0} = c{0};\n", "TAKE({0})\nreal n{0} = c{0};\n");
     }
+    // Long rules would only make compilation slow.
+    static std::string unroll(const RuleText& text) { return text.rules.size() < 1000 ? "#pragma unroll\n" : ""; }
+
     std::string diffusion() const { return each("ROLL_DIFFUSE({0})\n", ""); }
 
     std::string finish() const {
