@@ -20,9 +20,26 @@ bool rules_change_rate(const Experiment& experiment, std::size_t chemical) {
     });
 }
 
+// Judged from the statements, not from a state: a phase may later make unequal rates equal, and a run resumed from
+// there must take the same formula.
+bool prepattern_varies_rate(const Experiment& experiment, std::size_t chemical) {
+    std::size_t uses = 0;
+    for (const Statement& statement : experiment.prepattern) {
+        if (const auto* use = std::get_if<UseChemical>(&statement)) {
+            if (use->chemical != chemical || !use->diff) continue;
+            if (use->diff->deviation != 0.0 || ++uses > 1) return true;
+        } else if (const auto* set = std::get_if<SetCells>(&statement)) {
+            const auto* rate = std::get_if<SetRate>(&set->what);
+            if (rate != nullptr && rate->chemical == chemical) return true;
+        }
+    }
+    return false;
+}
+
 RateKind rate_kind(const Experiment& experiment, const Snapshot& initial, std::size_t chemical) {
     if (experiment.chemicals[chemical].anisotropic || rules_change_rate(experiment, chemical))
         return RateKind::per_cell;
+    if (prepattern_varies_rate(experiment, chemical)) return RateKind::per_cell;
     const std::vector<double>& rates = initial.diff[chemical];
     const double first = rates.empty() ? 0.0 : rates.front();
     const bool same = std::all_of(rates.begin(), rates.end(), [&](double rate) { return rate == first; });

@@ -12,6 +12,10 @@
 
 namespace pelage {
 
+// Whether a lattice carries out several iterations in one pass over memory, where its rules allow that. The bits are
+// the same; the program takes longer to compile, so short runs do without.
+enum class Fusion { automatic, always, never };
+
 struct OpenclOptions {
     std::optional<std::string> device;  // index, type or part of the name; see choose_device
     Precision precision = Precision::single_;
@@ -22,6 +26,7 @@ struct OpenclOptions {
     std::size_t work_group = 0;  // work-items in a group; 0: ours to choose
     std::size_t variants = 16;   // programs for sets of active rules before one that tests all intervals itself
     std::size_t width = 0;       // cells a work-item handles side by side, 1, 2, 4, 8 or 16; 0: ours to choose
+    Fusion fusion = Fusion::automatic;
     NeighbourSearch neighbours = NeighbourSearch::bins;  // of free cells
     SpatialSorting sorting;                              // for spatial_sorting
 };

@@ -7,6 +7,7 @@
 
 #include <fmt/format.h>
 
+#include <cmath>
 #include <functional>
 #include <map>
 
@@ -72,9 +73,7 @@ public:
     }
 
     std::string settings(std::size_t width) const {
-        std::string text = fmt::format("#define PELAGE_WIDTH {}\n#define {}\n#define {}\n", width,
-                                       boundary_word(plan_.boundary), stencil_word(plan_.stencil));
-        if (plan_.arithmetic == Arithmetic::published) text += "#define PELAGE_PUBLISHED\n";
+        std::string text = lattice_settings(plan_, width);
         if (visits()) text += "#define PELAGE_VISITS\n";
         text += fmt::format("#define EDGE_SHARE {}\n#define DIAGONAL_SHARE {}\n",
                             emit_number(neighbour_share(plan_.stencil, false), precision_),
@@ -233,6 +232,24 @@ std::vector<std::size_t> rate_planes(const LatticePlan& plan) {
     std::size_t next = 0;
     for (const RateKind kind : plan.rates) places.push_back(kind == RateKind::per_cell ? next++ : no_plane);
     return places;
+}
+
+std::string lattice_settings(const LatticePlan& plan, std::size_t width) {
+    std::string text = fmt::format("#define PELAGE_WIDTH {}\n#define {}\n#define {}\n", width,
+                                   boundary_word(plan.boundary), stencil_word(plan.stencil));
+    if (plan.arithmetic == Arithmetic::published) text += "#define PELAGE_PUBLISHED\n";
+    return text;
+}
+
+std::vector<bool> bounded_chemicals(const Experiment& experiment) {
+    std::vector<bool> bounded(experiment.chemicals.size());
+    for (const Phase& phase : experiment.phases) {
+        for (std::size_t i = 0; i < bounded.size(); ++i) {
+            const Bounds& bounds = phase.bounds[i];
+            bounded[i] = bounded[i] || std::isfinite(bounds.floor) || std::isfinite(bounds.limit);
+        }
+    }
+    return bounded;
 }
 
 double stencil_divisor(Stencil stencil) {

@@ -25,6 +25,12 @@ inline constexpr std::size_t no_plane = static_cast<std::size_t>(-1);
 // 6 for nine_point, 20 for sims, 1 for the others.
 double stencil_divisor(Stencil);
 
+// Chemicals that have a finite bound in some phase.
+std::vector<bool> bounded_chemicals(const Experiment&);
+
+// The defines that every program of a lattice begins with. `width`: see PELAGE_WIDTH.
+std::string lattice_settings(const LatticePlan&, std::size_t width);
+
 // `bounded`: chemicals that have a finite bound in some phase. `width`: see PELAGE_WIDTH.
 std::string lattice_source(const Experiment&, const LatticePlan&, const RuleText&, const std::vector<bool>& bounded,
                            Precision, std::size_t width);

@@ -7,9 +7,12 @@
 #include "opencl/lattice_state.hpp"
 #include "opencl/lattice_step.hpp"
 #include "opencl/program.hpp"
+#include "opencl/stream_step.hpp"
 
 #include <algorithm>
+#include <array>
 #include <map>
+#include <utility>
 #include <variant>
 
 namespace pelage {
@@ -48,7 +51,7 @@ private:
             upload_parameters(experiment().phase_at(first));
             for (std::uint64_t iteration = first; iteration < end;) {
                 const std::uint64_t next = std::min(end, next_change(experiment(), iteration));
-                LatticeStep& step = step_for(iteration);
+                LatticeKernel& step = step_for(iteration, next - iteration);
                 if (!counted_) {  // rules may read the counts: they change after this one iteration
                     step.enqueue(*state_, parameters_, iteration, 1, pace_);
                     state_->counted();
@@ -83,7 +86,7 @@ private:
             state_ = std::make_unique<LatticeState>(*session_, experiment(), plan, use, snapshot);
             if (plan.rates != plan_.rates || plan.polarity != plan_.polarity) {  // all else is the experiment's
                 steps_.clear();
-                any_set_.reset();
+                any_set_ = {};
             }
             plan_ = plan;
             counted_ = false;
@@ -94,21 +97,35 @@ private:
         return with_device(session_->info().name, [&] { return find_non_finite(); });
     }
 
-    LatticeStep& step_for(std::uint64_t iteration) {
+    // The kernel for `count` iterations from `iteration` on.
+    LatticeKernel& step_for(std::uint64_t iteration, std::uint64_t count) {
         std::vector<bool> active = active_rules(experiment(), iteration);
         for (std::size_t i = 0; i < active.size(); ++i) {
             if (std::holds_alternative<Expand>(experiment().rules[i].action)) active[i] = false;
         }
-        const auto found = steps_.find(active);
-        if (found != steps_.end()) return found->second;
-        if (steps_.size() < session_->options().variants) {
-            return steps_.try_emplace(active, *session_, experiment(), plan_, active, false).first->second;
+        const bool fused = wants_fusion(work_[active] += static_cast<double>(count) * static_cast<double>(do_cells()));
+        if (steps_.size() >= session_->options().variants && !steps_.contains({active, fused})) {
+            std::unique_ptr<LatticeKernel>& step = any_set_[fused ? 1 : 0];
+            if (!step) step = make_step(std::vector<bool>(active.size(), true), true, fused);
+            return *step;
         }
-        if (!any_set_) {
-            const std::vector<bool> every(active.size(), true);
-            any_set_ = std::make_unique<LatticeStep>(*session_, experiment(), plan_, every, true);
+        std::unique_ptr<LatticeKernel>& step = steps_[{active, fused}];
+        if (!step) step = make_step(active, false, fused);
+        return *step;
+    }
+
+    // A fused program takes seconds to compile: that much `work`, in cell-updates, must have come by.
+    bool wants_fusion(double work) const {
+        const Fusion fusion = session_->options().fusion;
+        return fusion == Fusion::automatic ? is_cpu(*session_) && work >= 5e7 : fusion == Fusion::always;
+    }
+
+    std::unique_ptr<LatticeKernel> make_step(const std::vector<bool>& active, bool test_intervals, bool fused) const {
+        const RuleUse use = emit_rules(experiment(), active, session_->options().precision, test_intervals).use;
+        if (fused && why_not_fused(plan_, use).empty()) {
+            return std::make_unique<StreamStep>(*session_, experiment(), plan_, active, test_intervals);
         }
-        return *any_set_;
+        return std::make_unique<LatticeStep>(*session_, experiment(), plan_, active, test_intervals);
     }
 
     void upload_parameters(const Phase& phase) {
@@ -160,9 +177,11 @@ private:
     Pace pace_;
     LatticePlan plan_;
     std::unique_ptr<LatticeState> state_;
-    bool counted_ = false;  // state_ has been told that an iteration has been carried out
-    std::map<std::vector<bool>, LatticeStep> steps_;
-    std::unique_ptr<LatticeStep> any_set_;
+    bool counted_ = false;                      // state_ has been told that an iteration has been carried out
+    std::map<std::vector<bool>, double> work_;  // cell-updates asked for, by active rules
+    // By active rules and whether fused; any_set_ tests at run time which rules act, [1] fused.
+    std::map<std::pair<std::vector<bool>, bool>, std::unique_ptr<LatticeKernel>> steps_;
+    std::array<std::unique_ptr<LatticeKernel>, 2> any_set_;
     cl::Buffer parameters_;
     std::vector<double> parameter_values_;
     mutable cl::Kernel finder_;

@@ -4,7 +4,6 @@
 #include "opencl/emit_lattice.hpp"
 
 #include <algorithm>
-#include <cmath>
 
 namespace pelage {
 
@@ -15,22 +14,11 @@ constexpr std::size_t alone_below = 40'000;
 // Work of one launch, so that the host gets its turn every few milliseconds.
 constexpr std::size_t cells_a_launch = 4'000'000;
 
-bool is_cpu(const Session& session) { return session.info().type == "cpu" && !session.info().software_rasteriser(); }
-
 std::size_t divided(std::size_t a, std::size_t b) { return (a + b - 1) / b; }
 
-std::vector<bool> bounded_chemicals(const Experiment& experiment) {
-    std::vector<bool> bounded(experiment.chemicals.size());
-    for (const Phase& phase : experiment.phases) {
-        for (std::size_t i = 0; i < bounded.size(); ++i) {
-            const Bounds& bounds = phase.bounds[i];
-            bounded[i] = bounded[i] || std::isfinite(bounds.floor) || std::isfinite(bounds.limit);
-        }
-    }
-    return bounded;
-}
-
 }  // namespace
+
+bool is_cpu(const Session& session) { return session.info().type == "cpu" && !session.info().software_rasteriser(); }
 
 std::size_t lattice_width(const Session& session) {
     if (session.options().width != 0) return session.options().width;

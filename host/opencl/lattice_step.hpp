@@ -21,18 +21,29 @@ struct LaunchShape {
     std::size_t steps = 1;       // iterations a launch
 };
 
+bool is_cpu(const Session&);  // a processor proper, not a rasteriser that runs on one
+
 // Cells that a work-item handles side by side: the lanes of a CPU, 1 on other devices.
 std::size_t lattice_width(const Session&);
 LaunchShape launch_shape(const Session&, const Grid&, std::size_t width);
 
-class LatticeStep {
+// Carries out iterations of a lattice under one set of active rules.
+class LatticeKernel {
+public:
+    virtual ~LatticeKernel() = default;
+    // Enqueues iterations first .. first + count - 1. `parameters`: see LatticeParameter.
+    virtual void enqueue(LatticeState&, const cl::Buffer& parameters, std::uint64_t first, std::uint64_t count,
+                         Pace&) = 0;
+};
+
+// The plain kernel, for any set of rules.
+class LatticeStep final : public LatticeKernel {
 public:
     // Rules that are not `active` are left out; with `test_intervals` the kernel tests when the others act.
     LatticeStep(const Session&, const Experiment&, const LatticePlan&, const std::vector<bool>& active,
                 bool test_intervals);
 
-    // Enqueues iterations first .. first + count - 1. `parameters`: see LatticeParameter.
-    void enqueue(LatticeState&, const cl::Buffer& parameters, std::uint64_t first, std::uint64_t count, Pace&);
+    void enqueue(LatticeState&, const cl::Buffer& parameters, std::uint64_t first, std::uint64_t count, Pace&) override;
 
 private:
     void set_buffers(LatticeState&);

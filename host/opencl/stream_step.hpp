@@ -1,0 +1,41 @@
+// Several iterations a pass over memory, where the rules allow it (kernels/lattice_stream.cl).
+#pragma once
+
+#include "opencl/emit_stream.hpp"
+#include "opencl/lattice_step.hpp"
+
+#include <cstdint>
+#include <vector>
+
+namespace pelage {
+
+// How a stretch of iterations is cut into launches.
+struct StreamLaunch {
+    std::size_t steps = 1;    // levels of a pass
+    std::size_t passes = 1;   // of one launch
+    std::size_t vectors = 1;  // across a band
+    std::size_t bands = 1;    // work-groups along a row
+    std::size_t strip = 1;    // rows of a work-group
+    std::size_t strips = 1;   // work-groups up the columns
+};
+
+StreamShape stream_shape(const Session&, std::size_t fields, std::size_t width);
+StreamLaunch stream_launch(const Session&, const Grid&, const StreamShape&, std::size_t width, std::uint64_t count);
+
+class StreamStep final : public LatticeKernel {
+public:
+    // Throws Error where why_not_fused() says something.
+    StreamStep(const Session&, const Experiment&, const LatticePlan&, const std::vector<bool>& active,
+               bool test_intervals);
+
+    void enqueue(LatticeState&, const cl::Buffer& parameters, std::uint64_t first, std::uint64_t count, Pace&) override;
+
+private:
+    const Session& session_;
+    std::size_t width_;
+    StreamShape shape_;
+    std::uint64_t seed_;
+    cl::Kernel kernel_;
+};
+
+}  // namespace pelage
