@@ -12,7 +12,8 @@ namespace {
 
 class ReferenceBackend final : public Backend {
 public:
-    explicit ReferenceBackend(Precision precision) : precision_(precision) {}
+    ReferenceBackend(Precision precision, NeighbourSearch search, SpatialSorting sorting)
+        : precision_(precision), search_(search), sorting_(sorting) {}
 
     std::string name() const override { return "reference"; }
     Precision precision() const override { return precision_; }
@@ -22,18 +23,20 @@ public:
         validate(experiment);
         auto shared = std::make_shared<const Experiment>(experiment);
         if (is_lattice(experiment)) return make_reference_lattice(std::move(shared), initial, precision_);
-        return make_reference_cells(std::move(shared), initial, precision_);
+        return make_reference_cells(std::move(shared), initial, precision_, search_, sorting_);
     }
     using Backend::make_tissue;
 
 private:
     Precision precision_;
+    NeighbourSearch search_;
+    SpatialSorting sorting_;
 };
 
 }  // namespace
 
-std::unique_ptr<Backend> reference_backend(Precision precision) {
-    return std::make_unique<ReferenceBackend>(precision);
+std::unique_ptr<Backend> reference_backend(Precision precision, NeighbourSearch search, SpatialSorting sorting) {
+    return std::make_unique<ReferenceBackend>(precision, search, sorting);
 }
 
 }  // namespace pelage

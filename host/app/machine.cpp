@@ -26,7 +26,7 @@ std::string processor_name() {
 Machine on_reference(const RunOptions& options, const Experiment& experiment) {
     if (!options.device.empty()) throw Error("--device chooses an OpenCL device; it goes with --backend opencl");
     if (options.fast) throw Error("--fast changes only how OpenCL computes; it goes with --backend opencl");
-    Machine machine{reference_backend(options.precision),
+    Machine machine{reference_backend(options.precision, options.neighbour_search(), options.sorting),
                     "reference",
                     {},
                     processor_name(),
@@ -44,6 +44,8 @@ Machine on_opencl(const RunOptions& options, const Experiment& experiment, const
     wanted.precision = options.precision;
     wanted.use_cache = !options.no_cache;
     wanted.fast = options.fast;
+    wanted.neighbours = options.neighbour_search();
+    wanted.sorting = options.sorting;
     std::unique_ptr<OpenclBackend> backend = opencl_backend(wanted);
     const DeviceInfo device = backend->device();
     std::string reason = backend->why_not(experiment);

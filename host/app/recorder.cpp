@@ -83,6 +83,15 @@ void Recorder::manifest(const Snapshot& state, const Tally& tally, const char* e
     manifest.more_texts["end"] = end;
     manifest.more_numbers["first_iteration"] = static_cast<double>(tally.started_at);
     manifest.more_numbers["writing_seconds"] = writing_;
+    if (tally.search.iterations > 0) {
+        manifest.more_texts["neighbours"] = options_.neighbours;
+        manifest.more_numbers["neighbour_miss_rate"] = tally.search.miss_rate();
+        if (tally.growing.iterations > 0) {
+            manifest.more_numbers["neighbour_miss_rate_growing"] = tally.growing.miss_rate();
+        }
+        manifest.more_numbers["neighbours_missed"] = static_cast<double>(tally.search.neighbours_missed);
+        manifest.more_numbers["neighbours_exact"] = static_cast<double>(tally.search.neighbours_exact);
+    }
     write_manifest(folder_ / "manifest.json", manifest, experiment_);
     if (!options_.json.empty()) write_manifest(options_.json, manifest, experiment_);
 }

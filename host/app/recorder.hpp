@@ -4,6 +4,7 @@
 #include "app/machine.hpp"
 #include "app/prepare.hpp"
 #include "app/run_options.hpp"
+#include "core/neighbours.hpp"
 #include "core/tissue.hpp"
 #include "io/manifest.hpp"
 #include "io/results.hpp"
@@ -20,6 +21,8 @@ struct Tally {
     std::uint64_t started_at = 0;  // iteration
     double seconds = 0;            // of stepping, kernel compilation included
     double updates = 0;            // cells times iterations
+    SearchStatistics growing;      // those of them taken while cells divided
+    SearchStatistics search;       // samples of an approximate neighbour search; none of an exact one
     double updates_per_second() const { return seconds > 0 ? updates / seconds : 0; }
 };
 

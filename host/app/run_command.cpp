@@ -42,6 +42,17 @@ void add_machine_options(CLI::App& command, RunOptions& options) {
             "Numbers of 32 bits (float) or 64 bits (double). Default: float")
         ->type_name("float|double")
         ->check(one_of({"float", "double"}));
+    command
+        .add_option("--neighbours", options.neighbours,
+                    "Search of free cells: bins or kd-tree (both exact), or spatial-sorting (the published program's, "
+                    "which misses some; the manifest says how many). Default: bins")
+        ->type_name("NAME")
+        ->check(one_of({"bins", "kd-tree", "spatial-sorting"}));
+    command
+        .add_option("--window", options.sorting.window,
+                    "Places around a cell that spatial-sorting looks at: 8, 24, 48, 80 or 120. Default: 48")
+        ->type_name("N")
+        ->check(one_of({"8", "24", "48", "80", "120"}));
     command.add_flag("--fast", options.fast,
                      "Let the OpenCL compiler reorder arithmetic: faster, but no longer the reference's bits");
     command.add_flag("--no-cache", options.no_cache, "Compile device programs anew, and keep none on disk");

@@ -11,6 +11,11 @@
 
 namespace pelage::app {
 
+NeighbourSearch RunOptions::neighbour_search() const {
+    if (neighbours == "spatial-sorting") return NeighbourSearch::spatial_sorting;
+    return neighbours == "kd-tree" ? NeighbourSearch::kd_tree : NeighbourSearch::bins;
+}
+
 std::filesystem::path RunOptions::folder() const {
     return out.empty() ? std::filesystem::path("out") / file.stem() : out;
 }
@@ -33,6 +38,8 @@ std::string resume_command(const RunOptions& options, const std::filesystem::pat
     add("--backend", options.backend);
     add("--device", options.device);
     add("--precision", options.precision == Precision::double_ ? "double" : "");
+    add("--neighbours", options.neighbours == "bins" ? "" : options.neighbours);
+    if (options.sorting.window != SpatialSorting{}.window) add("--window", std::to_string(options.sorting.window));
     if (options.iterations) add("--iterations", std::to_string(*options.iterations));
     add("--seed", std::to_string(seed));
     add("--out", options.folder().string());

@@ -1,6 +1,7 @@
 // What the command line of `pelage run` asks for.
 #pragma once
 
+#include "core/neighbours.hpp"
 #include "core/tissue.hpp"
 
 #include <cstdint>
@@ -16,6 +17,8 @@ struct RunOptions {
     std::string backend;  // "reference", "opencl", or empty: opencl where a device is usable
     std::string device;   // index in `pelage devices` or part of a name; empty: the first usable one
     Precision precision = Precision::single_;
+    std::string neighbours = "bins";  // search of free cells: bins, kd-tree or spatial-sorting
+    SpatialSorting sorting;
     std::optional<std::uint64_t> iterations;
     std::optional<std::int64_t> seed;
     std::filesystem::path out;  // empty: out/STEM of the file
@@ -29,6 +32,7 @@ struct RunOptions {
     bool no_cache = false;
     bool force = false;
 
+    NeighbourSearch neighbour_search() const;
     std::filesystem::path folder() const;  // `out`, or its default
 };
 

@@ -67,12 +67,22 @@ private:
         const auto start = Clock::now();
         tissue_.advance(count);
         const auto breakdown = guard_.look();  // waits for the device
+        sample_search(static_cast<double>(tissue_.cells()) > cells_before);
         const double seconds = std::chrono::duration<double>(Clock::now() - start).count();
         size_.took(count, seconds);
         tally_.seconds += seconds;
         tally_.updates += static_cast<double>(count) * (cells_before + static_cast<double>(tissue_.cells())) / 2;
         progress_.show(experiment_.phase_at(first).name, tissue_.iteration(), tally_.updates);
         return breakdown;
+    }
+
+    // A sample costs about one exact search, so one a batch.
+    void sample_search(bool growing) {
+        if (options_.neighbour_search() != NeighbourSearch::spatial_sorting) return;
+        const auto found = tissue_.search_statistics();
+        if (!found) return;
+        tally_.search += *found;
+        if (growing) tally_.growing += *found;
     }
 
     void write_due(std::uint64_t iteration) {

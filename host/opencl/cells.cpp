@@ -212,7 +212,7 @@ cl_uint OpenclCells::bind(cl::Kernel& kernel, const CellsWritten& written, bool 
 void OpenclCells::conclude(const CellsStep& step, std::uint64_t first, std::size_t done, const Progress& last) {
     if (done % 2 == 1) {
         for (std::size_t i = 0; i < cell_array_count; ++i) {
-            if (changes(step.written, static_cast<CellArray>(i))) state_.swap(static_cast<CellArray>(i));
+            if (changes(step.written, static_cast<CellArray>(i))) state_.flip(static_cast<CellArray>(i));
         }
     }
     if (last.children > 0)

@@ -59,7 +59,7 @@ void CellsLists::sort(CellsState& state) {
     state.add_spare(arguments);
     arguments.add(state.built(), state.place_of());
     launch(session_, gather_, gatherers, tuning_.width > 1 ? 1 : tuning_.group);
-    state.swap_all();
+    state.flip_all();
 }
 
 void CellsLists::find(const CellsState& state) {

@@ -38,10 +38,10 @@ public:
 
     const cl::Buffer& now(CellArray array) const { return now_[static_cast<std::size_t>(array)]; }
     const cl::Buffer& spare(CellArray array) const { return spare_[static_cast<std::size_t>(array)]; }
-    void swap(CellArray array) {
+    void flip(CellArray array) {
         std::swap(now_[static_cast<std::size_t>(array)], spare_[static_cast<std::size_t>(array)]);
     }
-    void swap_all() { std::swap(now_, spare_); }
+    void flip_all() { std::swap(now_, spare_); }
 
     void add_now(Arguments&) const;
     void add_spare(Arguments&) const;
