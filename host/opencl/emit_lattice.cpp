@@ -67,9 +67,16 @@ public:
     }
 
     std::map<std::string, std::string> fills(const RuleText& text) const {
-        return {{"parameters", parameters()}, {"planes", planes()}, {"start", start()},        {"cell", cell()},
-                {"rules", text.rules},        {"visit", visit()},   {"replace", text.replace}, {"finish", finish()},
-                {"diffusion", diffusion()},   {"swap", swap()}};
+        return {{"parameters", emit_parameters(plan_, bounded_)},
+                {"planes", planes()},
+                {"start", start()},
+                {"cell", cell()},
+                {"rules", text.rules},
+                {"visit", visit()},
+                {"replace", text.replace},
+                {"finish", finish()},
+                {"diffusion", diffusion()},
+                {"swap", swap()}};
     }
 
     std::string settings(std::size_t width) const {
@@ -108,20 +115,6 @@ private:
     }
     auto all(bool (LatticeEmitter::*is)(std::size_t) const) const {
         return [this, is](std::size_t i) { return (this->*is)(i); };
-    }
-
-    std::string parameters() const {
-        std::string text;
-        for (std::size_t i = 0; i < plan_.rates.size(); ++i) {
-            const auto read = [&](const char* name, LatticeParameter what) {
-                text += fmt::format("const real {}{} = R(parameters[{}]);\n", name, i, parameter_place(i, what));
-            };
-            if (bounded_[i]) read("floor", LatticeParameter::floor);
-            if (bounded_[i]) read("limit", LatticeParameter::limit);
-            if (!per_cell(i)) read("r", LatticeParameter::rate);
-            if (rolled(i)) read("share", LatticeParameter::share);
-        }
-        return text;
     }
 
     std::string planes() const {
@@ -238,6 +231,23 @@ std::string lattice_settings(const LatticePlan& plan, std::size_t width) {
     std::string text = fmt::format("#define PELAGE_WIDTH {}\n#define {}\n#define {}\n", width,
                                    boundary_word(plan.boundary), stencil_word(plan.stencil));
     if (plan.arithmetic == Arithmetic::published) text += "#define PELAGE_PUBLISHED\n";
+    return text;
+}
+
+std::string emit_parameters(const LatticePlan& plan, const std::vector<bool>& bounded) {
+    std::string text;
+    for (std::size_t i = 0; i < plan.rates.size(); ++i) {
+        const auto read = [&](const char* name, LatticeParameter what) {
+            text += fmt::format("const real {}{} = R(parameters[{}]);\n", name, i, parameter_place(i, what));
+        };
+        if (bounded[i]) read("floor", LatticeParameter::floor);
+        if (bounded[i]) read("limit", LatticeParameter::limit);
+        if (plan.rates[i] == RateKind::per_cell) continue;
+        read("r", LatticeParameter::rate);
+        if (plan.rates[i] == RateKind::uniform && plan.arithmetic == Arithmetic::fused) {
+            read("share", LatticeParameter::share);
+        }
+    }
     return text;
 }
 

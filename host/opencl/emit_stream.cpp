@@ -32,7 +32,7 @@ public:
         : plan_(plan), use_(use), bounded_(bounded) {}
 
     std::map<std::string, std::string> fills(const RuleText& text) const {
-        return {{"parameters", parameters()},
+        return {{"parameters", emit_parameters(plan_, bounded_)},
                 {"planes", planes()},
                 {"fetch", fetch()},
                 {"resume", resume()},
@@ -70,20 +70,6 @@ private:
         return text;
     }
     std::string each(const char* format) const { return each(format, format); }
-
-    std::string parameters() const {
-        std::string text;
-        for (std::size_t i = 0; i < plan_.rates.size(); ++i) {
-            const auto read = [&](const char* name, LatticeParameter what) {
-                text += fmt::format("const real {}{} = R(parameters[{}]);\n", name, i, parameter_place(i, what));
-            };
-            if (bounded_[i]) read("floor", LatticeParameter::floor);
-            if (bounded_[i]) read("limit", LatticeParameter::limit);
-            read("r", LatticeParameter::rate);
-            if (rolled(i)) read("share", LatticeParameter::share);
-        }
-        return text;
-    }
 
     std::string planes() const {
         return each(

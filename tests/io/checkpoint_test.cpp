@@ -129,6 +129,7 @@ TEST_CASE("errors of checkpoints say what is wrong") {
 
 TEST_CASE("a payload that lies about its lengths is refused even with a right checksum") {
     const auto whole = bytes_of(test::cells({1, 2}, {3, 4}));
+    std::size_t refused = 0;
     for (std::size_t at = 20; at + 16 <= whole.size(); ++at) {
         auto bytes = whole;
         const std::uint64_t absurd = 0x7000000000000000u;
@@ -138,9 +139,9 @@ TEST_CASE("a payload that lies about its lengths is refused even with a right ch
         const auto value = sum.value();
         std::memcpy(bytes.data() + bytes.size() - 8, &value, sizeof value);
 
-        problem(bytes);  // an Error or a state, never anything else
+        refused += problem(bytes).empty() ? 0u : 1u;  // an Error or a state, never anything else
     }
-    SUCCEED();
+    CHECK(refused > 0);
 }
 
 TEST_CASE("a checkpoint that cannot be written leaves the old one") {
