@@ -84,7 +84,7 @@ void CellsState::check_memory(std::size_t cells) const {
 
 cl::Buffer CellsState::grown(const cl::Buffer& from, std::size_t planes, std::size_t bytes, std::size_t pitch,
                              const std::string& what) const {
-    const cl::Buffer to = session_.buffer(planes * pitch * bytes, what);
+    cl::Buffer to = session_.buffer(planes * pitch * bytes, what);
     if (planes == 0) return to;
     session_.queue().enqueueFillBuffer(to, cl_int{0}, 0, planes * pitch * bytes);
     for (std::size_t plane = 0; from() != nullptr && plane < planes; ++plane) {

@@ -52,7 +52,7 @@ void find(const Session& session, NeighbourBins& bins, const cl::Buffer& sorted,
 Neighbours read_lists(const Session& session, const cl::Buffer& ids, const DeviceLists& lists, std::size_t points) {
     const std::vector<cl_int> order = download(session, ids, points);
     const std::vector<cl_int> lengths = download(session, lists.lengths, points);
-    const std::size_t capacity = static_cast<std::size_t>(lists.capacity);
+    const auto capacity = static_cast<std::size_t>(lists.capacity);
     const std::vector<cl_int> entries = download(session, lists.entries, (points + 15) / 16 * 16 * capacity);
     Neighbours found;
     found.first.assign(points + 1, 0);

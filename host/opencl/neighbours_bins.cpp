@@ -45,12 +45,12 @@ NeighbourTuning NeighbourTuning::of(const Session& session) {
     return tuning;
 }
 
-void DeviceLists::reserve(const Session& session, std::size_t wanted, int wanted_capacity) {
-    if (wanted <= points && wanted_capacity <= capacity) return;
-    wanted = std::max(wanted, points);
-    wanted_capacity = std::max(wanted_capacity, capacity);
+void DeviceLists::reserve(const Session& session, std::size_t at_least, int entries_each) {
+    if (at_least <= points && entries_each <= capacity) return;
+    const std::size_t wanted = std::max(at_least, points);
+    const int wanted_capacity = std::max(entries_each, capacity);
     const std::size_t blocks = (wanted + 15) / 16;
-    const std::size_t most = static_cast<std::size_t>(std::numeric_limits<cl_int>::max());
+    const auto most = static_cast<std::size_t>(std::numeric_limits<cl_int>::max());
     const std::size_t bytes = blocks * 16 * static_cast<std::size_t>(wanted_capacity) * sizeof(cl_int);
     if (bytes > session.info().max_allocation || blocks * 16 > most) {
         throw Error(fmt::format(

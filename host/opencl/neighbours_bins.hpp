@@ -28,7 +28,7 @@ struct DeviceLists {
     std::size_t points = 0;  // there is room for
 
     // Makes room. Contents are lost. Throws Error when the device has not that much memory.
-    void reserve(const Session&, std::size_t points, int capacity);
+    void reserve(const Session&, std::size_t at_least, int entries_each);
 };
 
 class NeighbourBins {

@@ -84,7 +84,7 @@ TEST_CASE("every experiment of the house passes check") {
     CHECK(outcome.exit_code == 0);
 }
 
-TEST_CASE("--help names every option and --version the version") {
+TEST_CASE("option --help names every option and --version the version") {
     const Outcome general = command({"--help"});
     const Outcome run = command({"run", "--help"});
     const Outcome version = command({"--version"});

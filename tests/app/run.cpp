@@ -74,7 +74,7 @@ TEST_CASE("without --out the results are in out/NAME of the folder one is in") {
     CHECK(std::filesystem::exists(folder.path() / "out" / "my spots" / "final.png"));
 }
 
-TEST_CASE("--json writes the manifest's object a second time") {
+TEST_CASE("option --json writes the manifest's object a second time") {
     const Folder folder;
     const std::string file = folder.write("spots.pex", test::spots);
 
@@ -100,7 +100,7 @@ TEST_CASE("both backends end in the same bits") {
     }
 }
 
-TEST_CASE("--iterations moves the end, 0 included") {
+TEST_CASE("option --iterations moves the end, 0 included") {
     const Folder folder;
     const std::string file = folder.write("spots.pex", test::spots);
     const std::uint64_t count = GENERATE(0u, 1u, 61u, 200u);
@@ -112,7 +112,7 @@ TEST_CASE("--iterations moves the end, 0 included") {
     CHECK(json_in(folder / "out" / "manifest.json").at("iterations") == count);
 }
 
-TEST_CASE("--seed changes the result, and the same seed repeats it") {
+TEST_CASE("option --seed changes the result, and the same seed repeats it") {
     const Folder folder;
     const std::string file = folder.write("spots.pex", test::spots);
     const auto result = [&](const std::string& name, const std::vector<std::string>& seed) {
@@ -144,7 +144,7 @@ TEST_CASE("seed 0 comes from the clock and is written down, so that the run can 
     CHECK(read_all(folder / "a" / "final.U.npy") == read_all(folder / "b" / "final.U.npy"));
 }
 
-TEST_CASE("--precision double computes in double") {
+TEST_CASE("option --precision double computes in double") {
     const Folder folder;
     const std::string file = folder.write("spots.pex", test::spots);
 
@@ -182,7 +182,7 @@ TEST_CASE("snapshots and batches change no bit of the result") {
     CHECK(read_all(folder / "b" / "0.V.npy") != read_all(folder / "b" / "7.V.npy"));
 }
 
-TEST_CASE("--quiet says nothing, and otherwise the run says what it runs on") {
+TEST_CASE("option --quiet says nothing, and otherwise the run says what it runs on") {
     const Folder folder;
     const std::string file = folder.write("spots.pex", test::spots);
 
@@ -226,7 +226,7 @@ TEST_CASE("options may stand before the file, and a seed may be negative") {
     CHECK(json_in(folder / "out" / "manifest.json").at("seed") == -3);
 }
 
-TEST_CASE("--fast and --no-cache are accepted on opencl, and --fast is in the manifest") {
+TEST_CASE("option --fast and --no-cache are accepted on opencl, and --fast is in the manifest") {
     const Folder folder;
     const std::string file = folder.write("spots.pex", test::spots);
 

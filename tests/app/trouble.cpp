@@ -99,7 +99,7 @@ TEST_CASE("absurd sizes are refused before anything is allocated") {
     CHECK_FALSE(std::filesystem::exists(folder / "out"));
 }
 
-TEST_CASE("an unstable time step is refused with the largest that holds; --force goes on") {
+TEST_CASE("an unstable time step is refused with the largest that holds, --force goes on") {
     const Folder folder;
     const std::string file = folder.write("unstable.pex", test::unstable);
 

@@ -62,7 +62,7 @@ TEST_CASE("a run goes on from a state as if it had not been stopped") {
     CHECK(test::same(test::after(*rewound, 29), expected));
 }
 
-TEST_CASE("bins and k-d tree are one search here; spatial sorting is another and says what it misses") {
+TEST_CASE("bins and k-d tree are one search here, spatial sorting is another and says what it misses") {
     const auto bins = test::cells(lively, Precision::single_, NeighbourSearch::bins);
     const auto tree = test::cells(lively, Precision::single_, NeighbourSearch::kd_tree);
     const auto sorting = test::cells(lively, Precision::single_, NeighbourSearch::spatial_sorting);

@@ -20,7 +20,7 @@ TEST_CASE("Philox4x32-10 gives the published known answers") {
           Words{0xd16cfe09u, 0x94fdccebu, 0x5001e420u, 0x24126ea1u});
 }
 
-TEST_CASE("unit_uniform lies in [0, 1) and fills it evenly") {
+TEST_CASE("unit_uniform lies in 0 to 1 and fills it evenly") {
     constexpr std::size_t draws = 160000, bins = 16;
     std::array<double, bins> counts{};
 

@@ -125,7 +125,7 @@ TEST_CASE("named maps meet their originals within 2 %") {
     CHECK(near(magma(255), {252, 253, 191}, 5));
 }
 
-TEST_CASE("the range is that of the finite values; a NaN is magenta") {
+TEST_CASE("the range is that of the finite values, a NaN is magenta") {
     const double infinity = std::numeric_limits<double>::infinity();
     const std::vector<double> values{std::nan(""), -2, 6, infinity, -infinity};
     const std::vector<double> none{std::nan("")};

@@ -56,7 +56,7 @@ std::string message_of_file(const fs::path& file) {
 
 }  // namespace
 
-TEST_CASE("a shape stands beside its experiment; letters are cells") {
+TEST_CASE("a shape stands beside its experiment, letters are cells") {
     const Folder folder;
     folder.write("deep/body.shp", "AoB\r\n. x\r\n\r\n1+b\r\n");
     const fs::path file =

@@ -55,7 +55,7 @@ TEST_CASE("phases follow one another, inherit bounds and time step, and state ra
     CHECK_FALSE(e.phases[2].rates.at(1).has_value());
 }
 
-TEST_CASE("rules inside a phase count from its start and end with it; rules before hold throughout") {
+TEST_CASE("rules inside a phase count from its start and end with it, rules before hold throughout") {
     const Experiment e = parsed_on_grid(
         "rule from 5 always and\n"
         "phase \"a\" 100\n"

@@ -50,17 +50,17 @@ TEST_CASE("free cells: skin, batch and list capacity change no bit") {
     CHECK(expected.cells() > 2 * start.cells());
     for (const double skin : {0.0, 0.001, 1.5, 4.0}) {
         options.skin = skin;
-        CHECK(test::difference(expected, after(250, options)) == "");
+        CHECK(test::difference(expected, after(250, options)) == test::no_difference);
     }
     options = {};
     for (const std::size_t batch : {1u, 2u, 7u, 100u}) {
         options.batch = batch;
-        CHECK(test::difference(expected, after(250, options)) == "");
+        CHECK(test::difference(expected, after(250, options)) == test::no_difference);
     }
     options = {};
     options.list_capacity = 0;  // the least is taken, and grows
     options.skin = 2.5;
-    CHECK(test::difference(expected, after(250, options)) == "");
+    CHECK(test::difference(expected, after(250, options)) == test::no_difference);
 }
 
 TEST_CASE("free cells: the shape of the work changes no bit") {
@@ -78,8 +78,8 @@ TEST_CASE("free cells: the shape of the work changes no bit") {
     const auto otherwise = with_options(options, as_on_a_gpu);
     otherwise->advance(200);
 
-    CHECK(test::difference(expected, alike->read()) == "");
-    CHECK(test::difference(expected, otherwise->read()) == "");
+    CHECK(test::difference(expected, alike->read()) == test::no_difference);
+    CHECK(test::difference(expected, otherwise->read()) == test::no_difference);
 }
 
 TEST_CASE("free cells: advancing in pieces changes no bit") {
@@ -88,7 +88,7 @@ TEST_CASE("free cells: advancing in pieces changes no bit") {
 
     for (const std::uint64_t piece : {1u, 1u, 2u, 17u, 30u, 48u, 1u}) tissue->advance(piece);
 
-    CHECK(test::difference(expected, tissue->read()) == "");
+    CHECK(test::difference(expected, tissue->read()) == test::no_difference);
 }
 
 TEST_CASE("free cells: a run resumed from its state changes no bit") {
@@ -100,7 +100,7 @@ TEST_CASE("free cells: a run resumed from its state changes no bit") {
     tissue->write(halfway);
     tissue->advance(160 - 77);
 
-    CHECK(test::difference(expected, tissue->read()) == "");
+    CHECK(test::difference(expected, tissue->read()) == test::no_difference);
 }
 
 TEST_CASE("free cells: what is written is read back") {
@@ -108,7 +108,7 @@ TEST_CASE("free cells: what is written is read back") {
     Snapshot state = initial_state(*experiment);
     state.iteration = 5;
     for (std::size_t i = 0; i < state.cells(); ++i) {
-        const double value = static_cast<double>(i);
+        const auto value = static_cast<double>(i);
         state.polarity_x[i] = value / 64;
         state.polarity_y[i] = -value / 32;
         state.birth[i] = static_cast<std::int32_t>(i) - 7;
@@ -122,7 +122,7 @@ TEST_CASE("free cells: what is written is read back") {
 
     tissue->write(state);
 
-    CHECK(test::difference(state, tissue->read()) == "");
+    CHECK(test::difference(state, tissue->read()) == test::no_difference);
 }
 
 TEST_CASE("free cells: fewer and more cells can be written than there were") {
@@ -132,11 +132,11 @@ TEST_CASE("free cells: fewer and more cells can be written than there were") {
     const auto tissue = test::on_device(test::experiment(growing));
 
     tissue->write(many);
-    CHECK(test::difference(many, tissue->read()) == "");
+    CHECK(test::difference(many, tissue->read()) == test::no_difference);
     tissue->write(few);
-    CHECK(test::difference(few, tissue->read()) == "");
+    CHECK(test::difference(few, tissue->read()) == test::no_difference);
     tissue->advance(250);
-    CHECK(test::difference(many, tissue->read()) == "");
+    CHECK(test::difference(many, tissue->read()) == test::no_difference);
 }
 
 TEST_CASE("free cells: diffusion keeps the total amount, with rates of their own too") {

@@ -93,7 +93,7 @@ TEST_CASE("points exactly at the radius are no neighbours") {
     const Neighbours wider = opencl_neighbours(test::session(), points.x, points.y, 3.0001);
 
     CHECK(at.ids.empty());
-    CHECK(wider.ids.size() == 4 * 40 * 39);
+    CHECK(wider.ids.size() == 4u * 40 * 39);
     CHECK(wider == by_force<float>(points, 3.0001f));
 }
 
@@ -111,7 +111,7 @@ TEST_CASE("all points in one bin are each other's neighbours") {
 
     const Neighbours found = opencl_neighbours(test::session(), points.x, points.y);
 
-    CHECK(found.ids.size() == 1500 * 1499);
+    CHECK(found.ids.size() == 1500u * 1499);
     CHECK(found == by_force<float>(points, 3));
 }
 

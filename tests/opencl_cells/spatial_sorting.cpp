@@ -137,7 +137,7 @@ rule from 10 probability 0.01 divide direction 0 dev 180
     CHECK(found->search_statistics()->cells == expected->search_statistics()->cells);
 }
 
-TEST_CASE("an exact search has no misses to count; a window that is not offered is refused") {
+TEST_CASE("an exact search has no misses to count, a window that is not offered is refused") {
     const auto experiment = test::experiment("define chemical A\ncreate cell 0 0\n");
     CellsOptions options;
 

@@ -80,7 +80,8 @@ Points line(std::size_t count) {
 Points square_at_radius(std::size_t side) {
     Points points;
     for (std::size_t i = 0; i < side * side; ++i) {
-        points.add(3.0 * static_cast<double>(i % side), 3.0 * static_cast<double>(i / side));
+        const std::size_t row = i / side;
+        points.add(3.0 * static_cast<double>(i % side), 3.0 * static_cast<double>(row));
     }
     return points;
 }

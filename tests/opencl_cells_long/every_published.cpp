@@ -51,7 +51,7 @@ TEST_CASE("every published experiment with free cells equals the reference, bit 
             found->write(state);
             expected->advance(40);
             found->advance(40);
-            CHECK(test::difference(expected->read(), found->read()) == "");
+            CHECK(test::difference(expected->read(), found->read()) == test::no_difference);
         }
         ++compared;
     }

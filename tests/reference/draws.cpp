@@ -37,7 +37,7 @@ double correlation(const std::vector<double>& a, const std::vector<double>& b) {
 
 }  // namespace
 
-TEST_CASE("RANDOM is uniform in [0, 1)") {
+TEST_CASE("RANDOM is uniform in 0 to 1") {
     for (const Precision precision : {Precision::single_, Precision::double_}) {
         const std::vector<double> values = drawn({random_value()}, precision);
 

@@ -70,7 +70,7 @@ TEST_CASE("comparisons") {
     CHECK(passes(Comparison::greater_equal) == Values{0, 1, 1});
 }
 
-TEST_CASE("within is closed at both ends; a NaN lies nowhere") {
+TEST_CASE("within is closed at both ends, a NaN lies nowhere") {
     const Condition within = Within{Operand::concentration(1), test::number(1), test::number(2)};
 
     CHECK(with({0.5, 1, 1.5, 2, 2.5, std::nan("")}, {test::rule(add(1), within)}) == Values{0, 1, 1, 1, 0, 0});
@@ -133,7 +133,7 @@ TEST_CASE("set replaces whatever rules and diffusion made, and bounds still hold
     CHECK(test::after(1, experiment, state).conc[0] == Values{3, 0, 5});
 }
 
-TEST_CASE("rates change at once to no less than 0; set comes after all changes; diffusion still runs at the old rate") {
+TEST_CASE("rates change at once to no less than 0, set comes after all changes, diffusion still runs at the old rate") {
     Experiment experiment = test::matrix(2, 1, Boundary::no_flux, Stencil::five_point);
     const auto change = [](double amount) { return Change{Target::rate, 0, test::number(amount), 0.0}; };
     Snapshot state = test::blank(experiment);

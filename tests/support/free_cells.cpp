@@ -90,18 +90,18 @@ std::string difference(const Snapshot& expected, const Snapshot& found) {
 
 void check_equal_runs(Tissue& expected, Tissue& found, std::uint64_t iterations, std::uint64_t stride) {
     const Snapshot start = expected.read();
-    REQUIRE(difference(start, found.read()) == "");
+    REQUIRE(difference(start, found.read()) == no_difference);
 
     for (std::uint64_t done = 0; done < iterations; done += stride) {
         expected.advance(std::min(stride, iterations - done));
         found.advance(std::min(stride, iterations - done));
         INFO("after iteration " << expected.iteration());
-        REQUIRE(difference(expected.read(), found.read()) == "");
+        REQUIRE(difference(expected.read(), found.read()) == no_difference);
     }
 
     Snapshot end = expected.read();
     end.iteration = start.iteration;
-    CHECK(difference(start, end) != "");
+    CHECK(difference(start, end) != no_difference);
 }
 
 }  // namespace test

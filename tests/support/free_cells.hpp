@@ -21,7 +21,8 @@ std::unique_ptr<pelage::Tissue> on_reference(std::shared_ptr<const pelage::Exper
 std::unique_ptr<pelage::Tissue> on_device(std::shared_ptr<const pelage::Experiment>, const pelage::CellsOptions& = {},
                                           pelage::Precision = pelage::Precision::single_);
 
-// The first difference, bit by bit, in words; empty when there is none.
+// The first difference, bit by bit, in words; no_difference when there is none.
+inline const std::string no_difference;
 std::string difference(const pelage::Snapshot& expected, const pelage::Snapshot& found);
 
 // Advances both in equal strides until `iterations` have passed and checks after each that no bit differs and, at the
