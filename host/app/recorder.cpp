@@ -28,6 +28,9 @@ Recorder::Recorder(const RunOptions& options, const Experiment& experiment, cons
     : options_(options), experiment_(experiment), machine_(machine), folder_(options.folder()) {
     result_options_.formats = parse_formats(options.formats);
     result_options_.precision = options.precision;
+    if (options.cells == "hexagon") result_options_.drawing.shape = CellShape::hexagon;
+    if (options.cells == "voronoi") result_options_.drawing.shape = CellShape::voronoi;
+    result_options_.drawing.polarity_marks = options.polarity_marks;
     result_options_.attributes = attributes_of(options, experiment, machine);
 }
 

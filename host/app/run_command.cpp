@@ -95,6 +95,12 @@ void add_result_options(CLI::App& command, RunOptions& options) {
                     "Write ITERATION.* every N iterations from 0 on, beside the experiment's own snapshots")
         ->type_name("N")
         ->check(count_from(1));
+    command
+        .add_option("--cells", options.cells,
+                    "Shape of free cells in pictures: circle, hexagon or voronoi. Default: circle")
+        ->type_name("SHAPE")
+        ->check(one_of({"circle", "hexagon", "voronoi"}));
+    command.add_flag("--polarity-marks", options.polarity_marks, "Draw a line along each free cell's polarity");
     command.add_option("--json", options.json, "Write the manifest to this file too")->type_name("FILE");
     command.add_flag("--quiet", options.quiet, "Say nothing but errors");
 }

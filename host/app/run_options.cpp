@@ -47,7 +47,9 @@ std::string resume_command(const RunOptions& options, const std::filesystem::pat
     if (options.snap_every != 0) add("--snap-every", std::to_string(options.snap_every));
     if (options.checkpoint_every != 0) add("--checkpoint-every", std::to_string(options.checkpoint_every));
     add("--json", options.json.string());
-    for (const auto& [set, option] : {std::pair(options.quiet, "--quiet"), std::pair(options.fast, "--fast"),
+    add("--cells", options.cells == "circle" ? "" : options.cells);
+    for (const auto& [set, option] : {std::pair(options.polarity_marks, "--polarity-marks"),
+                                      std::pair(options.quiet, "--quiet"), std::pair(options.fast, "--fast"),
                                       std::pair(options.no_cache, "--no-cache"), std::pair(options.force, "--force")}) {
         if (set) words.emplace_back(option);
     }

@@ -27,6 +27,8 @@ struct RunOptions {
     std::uint64_t checkpoint_every = 0;  // 0: only when interrupted
     std::filesystem::path resume;        // empty: from the start
     std::filesystem::path json;          // empty: only DIR/manifest.json
+    std::string cells = "circle";        // how free cells are drawn: circle, hexagon or voronoi
+    bool polarity_marks = false;
     bool quiet = false;
     bool fast = false;
     bool no_cache = false;
