@@ -8,7 +8,9 @@
 #define PELAGE_SQRT_8 0x1.6a09e6p+1f
 #endif
 
+#ifndef THEIRS
 #define THEIRS(plane) pelage_side((plane) + there, x, columns, side)
+#endif
 
 // Which rows come in which order; the published program begins at an edge with the row inside.
 static inline int pelage_up(int k, int row, int rows) {

@@ -9,8 +9,10 @@
 //   PELAGE_DEPTH     most levels of a launch
 //   PELAGE_BLOCK     rows of a block
 //   PELAGE_VECTORS   most vectors across a band, margins included
-//   PELAGE_FIELDS    chemicals
+//   PELAGE_FIELDS    values of a cell that pass through: concentrations, rates, polarity, mappings
 //   PELAGE_CARRIED   vectors that a level carries from block to block, for each vector across
+//   PELAGE_SEEN      fields, the first ones, whose neighbouring values are looked at one by one
+//   PELAGE_VISITS    there are such
 
 // Planes begin 16 elements into their buffer, each with a row of zeros.
 #define PLANE(buffer, nth) ((buffer) + 16 + (nth) * plane + pitch)
@@ -18,9 +20,16 @@
 // Scratch rows begin an odd multiple of 128 bytes apart: a power of two would make them share cache sets.
 #define LINE (128 / (int)sizeof(scalar))
 #define SLOT ((((PELAGE_VECTORS * PELAGE_WIDTH + LINE - 1) / LINE) | 1) * LINE)
-#define SCRATCH_SIZE (2 * PELAGE_BLOCK * PELAGE_FIELDS * SLOT + 32)
-#define CARRY_SIZE (PELAGE_DEPTH * PELAGE_VECTORS * PELAGE_CARRIED * PELAGE_WIDTH)
-#define SCRATCH(parity, r, field) (scratch + 16 + (((parity) * PELAGE_BLOCK + (r)) * PELAGE_FIELDS + (field)) * SLOT)
+// Rows -2 and -1 of the scratch are the last two of the block before.
+#ifdef PELAGE_VISITS
+#define KEPT 2
+#else
+#define KEPT 0
+#endif
+#define SCRATCH_SIZE (2 * (PELAGE_BLOCK + KEPT) * PELAGE_FIELDS * SLOT + 32)
+#define CARRY_SIZE (PELAGE_DEPTH * PELAGE_VECTORS * (PELAGE_CARRIED + KEPT * PELAGE_SEEN) * PELAGE_WIDTH)
+#define SCRATCH(parity, r, field) \
+    (scratch + 16 + (((parity) * (PELAGE_BLOCK + KEPT) + KEPT + (r)) * PELAGE_FIELDS + (field)) * SLOT)
 
 // The column or row that stands for `i`, which may lie beyond the edges; `beyond` where it stands for nothing.
 static inline int pelage_stands_for(int i, int count, int beyond) {
@@ -39,6 +48,7 @@ static inline int pelage_stands_for(int i, int count, int beyond) {
 // Elements of a row at x .. x + PELAGE_WIDTH - 1, by what stands for them. Past a row's cells lies a 0.
 static inline real pelage_gather(global const scalar* row, int x, int columns) {
     scalar lanes[PELAGE_WIDTH];
+    #pragma unroll 1
     for (int k = 0; k < PELAGE_WIDTH; ++k) {
         lanes[k] = row[pelage_stands_for(min(x + k, columns + PELAGE_DEPTH - 1), columns, columns)];
     }
@@ -49,8 +59,18 @@ static inline real pelage_fetch(global const scalar* row, int x, int columns) {
     return x >= 0 && x + PELAGE_WIDTH <= columns ? LOAD(row + x) : pelage_gather(row, x, columns);
 }
 
+static inline intv pelage_fetch_whole(global const int* row, int x, int columns) {
+    int lanes[PELAGE_WIDTH];
+    #pragma unroll 1
+    for (int k = 0; k < PELAGE_WIDTH; ++k) {
+        lanes[k] = row[pelage_stands_for(min(x + k, columns + PELAGE_DEPTH - 1), columns, columns)];
+    }
+    return LOAD(lanes);
+}
+
 static inline uintv pelage_columns(int x, int columns) {
     uint lanes[PELAGE_WIDTH];
+    #pragma unroll 1
     for (int k = 0; k < PELAGE_WIDTH; ++k) {
         lanes[k] = (uint)pelage_stands_for(min(x + k, columns + PELAGE_DEPTH - 1), columns, 0);
     }
@@ -65,31 +85,40 @@ static inline void pelage_put(real v, global scalar* row, int x, int from, int t
     }
     scalar lanes[PELAGE_WIDTH];
     STORE(v, lanes);
+    #pragma unroll 1
     for (int k = max(from - x, 0); k < min(to - x, PELAGE_WIDTH); ++k) row[x + k] = lanes[k];
 }
 
-#define GET_X pelage_gather(places, x, columns)
+#define GET_NEIGHBOURS TO_REAL(pelage_fetch_whole(neighbours + (long)row * pitch, x, columns))
+#define GET_BIRTH TO_REAL(pelage_fetch_whole(birth + (long)row * pitch, x, columns))
+#define GET_AGE TO_REAL((uintv)(iteration)-TO_UINT(pelage_fetch_whole(birth + (long)row * pitch, x, columns)))
+#define GET_X place_x
 #define GET_Y R(places[pitch + row])
 #define GET_ROW R((scalar)row)
 #define GET_COLUMN TO_REAL(column)
 #define GET_ROWS R((scalar)rows)
 #define GET_COLUMNS R((scalar)columns)
 
-// Chemical i lies in field i of the scratch. What a level carries of it: the sums of the rows below and here and the
+// Chemical i lies in field `at` of the scratch. What a level carries of it: the sums of the rows below and here and the
 // cells here; of one that does not diffuse, the cells alone.
-#define TAKE(i) const real up##i = LOAD(above + (i) * SLOT);
-#define TAKE_SUM(i) \
-    const real up_sum##i = ROW_SUM(LOAD(above + (i) * SLOT - 1), up##i, LOAD(above + (i) * SLOT + 1));
-#define CARRY(nth) (carry + ((level * PELAGE_VECTORS + c) * PELAGE_CARRIED + (nth)) * PELAGE_WIDTH)
+#define TAKE(i, at) const real up##i = LOAD(above + (at) * SLOT);
+#define TAKE_SUM(i, at) \
+    const real up_sum##i = ROW_SUM(LOAD(above + (at) * SLOT - 1), up##i, LOAD(above + (at) * SLOT + 1));
+#define CARRY(nth) (carry + ((level * PELAGE_VECTORS + c) * (PELAGE_CARRIED + KEPT * PELAGE_SEEN) + (nth)) * PELAGE_WIDTH)
+#define CARRY_ROW(field, r) CARRY(PELAGE_CARRIED + 2 * (field) + (r))
 
 kernel __attribute__((reqd_work_group_size(PELAGE_GROUP, 1, 1))) void pelage_lattice_stream(
-    global scalar* old_conc, global scalar* new_conc, global const scalar* places,
+    global scalar* even_conc, global scalar* odd_conc, global scalar* even_rate, global scalar* odd_rate,
+    global scalar* even_polarity, global scalar* odd_polarity, global scalar* even_mapping, global scalar* odd_mapping,
+    global const int* birth, global const int* neighbours, global const scalar* places,
     global const scalar* parameters, const int columns, const int rows, const int pitch, const int vectors,
     const int strip, const uint first, const int steps, const int passes, const uint seed_low, const uint seed_high) {
     local scalar scratch[SCRATCH_SIZE] __attribute__((aligned(128)));
     local scalar carry[CARRY_SIZE] __attribute__((aligned(128)));
     const int lane = (int)get_local_id(0);
     const long plane = (long)pitch * (rows + 1);
+    birth = PLANE(birth, 0);
+    neighbours = PLANE(neighbours, 0);
     const real dt = R(parameters[0]);
     //@ parameters
     const int inner = vectors * PELAGE_WIDTH - 2 * steps;
@@ -116,7 +145,30 @@ kernel __attribute__((reqd_work_group_size(PELAGE_GROUP, 1, 1))) void pelage_lat
             // A level has nothing to do before the rows it needs have come by.
             const int levels = min(steps, (block * PELAGE_BLOCK + PELAGE_BLOCK - 1) / 2 + 1);
             for (int level = 0; level < levels; ++level) {
-                const uint iteration = first + (uint)(pass * steps + level);
+                const int step = pass * steps + level;
+                const uint iteration = first + (uint)step;
+#ifdef PELAGE_PREFETCH
+                // The rows of the next block are on their way while this one is worked on.
+                if (level < PELAGE_BLOCK) {
+                    const int next = min(base + PELAGE_BLOCK + level, rows + steps - 1);
+                    const long there = (long)pelage_stands_for(next, rows, -1) * pitch;
+                    const int end = min(x0 + vectors * PELAGE_WIDTH, columns);
+                    for (int x = max(x0, 0); x < end; x += LINE / 2) {
+                        //@ prefetch
+                    }
+                }
+#endif
+#ifdef PELAGE_VISITS
+                for (int c = lane; c < vectors; c += PELAGE_GROUP) {
+                    for (int field = 0; field < PELAGE_SEEN; ++field) {
+                        for (int r = 0; r < 2; ++r) {
+                            STORE(LOAD(CARRY_ROW(field, r)),
+                                  SCRATCH(level & 1, r - 2, field) + c * PELAGE_WIDTH);
+                        }
+                    }
+                }
+                barrier(CLK_LOCAL_MEM_FENCE);
+#endif
                 for (int c = lane; c < vectors; c += PELAGE_GROUP) {
                     const int x = x0 + c * PELAGE_WIDTH;
                     //@ resume
@@ -128,11 +180,47 @@ kernel __attribute__((reqd_work_group_size(PELAGE_GROUP, 1, 1))) void pelage_lat
                         //@ cell
                         //@ rules
                         //@ diffusion
+#ifdef PELAGE_VISITS
+                        const int flipped = MIRRORS ? row != at_row : 0;
+                        for (int k = 0; k < 3; ++k) {
+                            const int up = pelage_up(k, row, rows);
+                            const int beyond = row + up < 0 || row + up >= rows;
+#ifdef PELAGE_NO_FLUX
+                            if (beyond) continue;
+#endif
+                            // A mirrored row has its neighbours the other way round.
+                            const int there = (flipped ? -up : up) * PELAGE_FIELDS * SLOT;
+                            for (int side = -1; side <= 1; ++side) {
+#ifdef PELAGE_FIVE_POINT
+                                if ((up == 0) == (side == 0)) continue;
+#else
+                                if (up == 0 && side == 0) continue;
+#endif
+                                const mask inside = pelage_inside_column(column, columns, side, beyond);
+                                const real dx = R((scalar)(2 * side));
+                                const real dy = R((scalar)(2 * up));
+                                const int diagonal = up != 0 && side != 0;
+                                const real norm = diagonal ? R(PELAGE_SQRT_8) : R(2);
+                                const real neighbour_share = diagonal ? DIAGONAL_SHARE : EDGE_SHARE;
+                                //@ visit
+                            }
+                        }
+#endif
                         //@ replace
                         //@ finish
                     }
                     //@ suspend
                 }
+#ifdef PELAGE_VISITS
+                for (int c = lane; c < vectors; c += PELAGE_GROUP) {
+                    for (int field = 0; field < PELAGE_SEEN; ++field) {
+                        for (int r = 0; r < 2; ++r) {
+                            STORE(LOAD(SCRATCH(level & 1, PELAGE_BLOCK - 2 + r, field) + c * PELAGE_WIDTH),
+                                  CARRY_ROW(field, r));
+                        }
+                    }
+                }
+#endif
                 barrier(CLK_LOCAL_MEM_FENCE);
             }
             if (levels < steps) continue;
@@ -150,8 +238,5 @@ kernel __attribute__((reqd_work_group_size(PELAGE_GROUP, 1, 1))) void pelage_lat
             barrier(CLK_LOCAL_MEM_FENCE);
         }
         barrier(CLK_GLOBAL_MEM_FENCE);
-        global scalar* const written = new_conc;
-        new_conc = old_conc;
-        old_conc = written;
     }
 }

@@ -48,10 +48,34 @@ typedef PELAGE_PASTE(uint, PELAGE_WIDTH) uintv;
 typedef PELAGE_PASTE(int, PELAGE_WIDTH) intv;
 #define ALL_TRUE ((mask)(-1))
 #define ANY(m) any(m)
+#ifdef __clang__
+// As vload and vstore, which PoCL makes slow: it takes the vectors apart.
+#define PELAGE_LOOSE(type, element)                                                    \
+    typedef type __attribute__((aligned(sizeof(element)))) PELAGE_PASTE(loose_, type); \
+    PELAGE_ACCESS(type, element, global)                                               \
+    PELAGE_ACCESS(type, element, local)                                                \
+    PELAGE_ACCESS(type, element, private)
+#define PELAGE_ACCESS(type, element, space)                                                           \
+    static inline type __attribute__((overloadable)) LOAD(const space element* p) {                   \
+        return *(const space PELAGE_PASTE(loose_, type)*)p;                                           \
+    }                                                                                                 \
+    static inline void __attribute__((overloadable)) STORE(type v, space element* p) {                \
+        *(space PELAGE_PASTE(loose_, type)*)p = v;                                                    \
+    }
+PELAGE_LOOSE(real, scalar)
+PELAGE_LOOSE(uintv, uint)
+PELAGE_LOOSE(intv, int)
+#else
 #define LOAD(p) PELAGE_PASTE(vload, PELAGE_WIDTH)(0, p)
 #define STORE(v, p) PELAGE_PASTE(vstore, PELAGE_WIDTH)(v, 0, p)
-#define TO_REAL PELAGE_PASTE(PELAGE_PASTE(convert_, PELAGE_SCALAR), PELAGE_WIDTH)
+#endif
+#ifdef __clang__  // the same, in one instruction
+#define TO_REAL(i) __builtin_convertvector(i, real)
+#define TO_MASK(i) __builtin_convertvector(i, mask)
+#else
+#define TO_REAL(i) PELAGE_PASTE(PELAGE_PASTE(convert_, PELAGE_SCALAR), PELAGE_WIDTH)(i)
 #define TO_MASK(i) PELAGE_PASTE(PELAGE_PASTE(convert_, PELAGE_LANE_MASK), PELAGE_WIDTH)(i)
+#endif
 #define TO_UINT(i) PELAGE_PASTE(as_uint, PELAGE_WIDTH)(i)
 #if PELAGE_WIDTH == 2
 #define LANES ((uintv)(0, 1))
@@ -73,3 +97,7 @@ typedef PELAGE_PASTE(int, PELAGE_WIDTH) intv;
 
 // Per lane: where the mask holds a, else b.
 #define SELECT(m, a, b) ((m) ? (a) : (b))
+
+// Held between two bounds, low <= high; a NaN stays one. In this form a compiler sees a minimum and a maximum.
+static inline real pelage_held_below(real v, real high) { return SELECT(v > high, high, v); }
+#define HELD(v, low, high) pelage_held_below(SELECT((v) < (low), low, v), high)

@@ -34,8 +34,9 @@ std::string lattice_settings(const LatticePlan&, std::size_t width);
 // Declares floor<i>, limit<i>, r<i> and share<i> where a kernel has use for them.
 std::string emit_parameters(const LatticePlan&, const std::vector<bool>& bounded);
 
-// `bounded`: chemicals that have a finite bound in some phase. `width`: see PELAGE_WIDTH.
+// `bounded`: chemicals that have a finite bound in some phase. `width`: see PELAGE_WIDTH. `together`: see
+// kernels/lattice_together.cl.
 std::string lattice_source(const Experiment&, const LatticePlan&, const RuleText&, const std::vector<bool>& bounded,
-                           Precision, std::size_t width);
+                           Precision, std::size_t width, bool together);
 
 }  // namespace pelage

@@ -52,6 +52,7 @@ std::string OperandEmitter::text(const Operand& operand) {
             return fmt::format("UNIT(w{}_{}.{})", rule_, purpose, "xyzw"[nth % 4]);
         }
         case Quantity::concentration:
+            use_.concentrations_read.insert(operand.index);
             return fmt::format("c{}", operand.index);
         case Quantity::rate:
             use_.rates_read.insert(operand.index);
@@ -82,6 +83,7 @@ std::string OperandEmitter::take_draws() {
 }
 
 void OperandEmitter::note_use(RuleUse& use) const {
+    use.concentrations_read.insert(use_.concentrations_read.begin(), use_.concentrations_read.end());
     use.rates_read.insert(use_.rates_read.begin(), use_.rates_read.end());
     use.mappings_read.insert(use_.mappings_read.begin(), use_.mappings_read.end());
     use.quantities.insert(use_.quantities.begin(), use_.quantities.end());

@@ -131,6 +131,8 @@ private:
         if (!acts_on_one(react.model)) parameters += ", c" + std::to_string(react.v);
         for (const Operand& parameter : react.parameters) parameters += ", " + operands_.text(parameter);
         out_.use.reacts.insert(static_cast<std::size_t>(react.model));
+        out_.use.concentrations_written.insert(react.u);
+        if (!acts_on_one(react.model)) out_.use.concentrations_written.insert(react.v);
         guarded([&] {
             assign(fmt::format("n{}", react.u), fmt::format("{}_u(n{}, {})", name, react.u, parameters));
             if (acts_on_one(react.model)) return;
@@ -140,7 +142,7 @@ private:
 
     void act(const Change& change) {
         const bool rate = change.target == Target::rate;
-        if (rate) out_.use.rates_written.insert(change.chemical);
+        (rate ? out_.use.rates_written : out_.use.concentrations_written).insert(change.chemical);
         const std::string target = fmt::format("{}{}", rate ? 'q' : 'n', change.chemical);
         const std::string amount = deviated(change.amount, change.deviation);
         guarded([&] {
@@ -152,6 +154,7 @@ private:
     void act(const Set& set) {
         const bool rate = set.target == Target::rate;
         (rate ? out_.use.rates_written : out_.use.sets).insert(set.chemical);
+        if (!rate) out_.use.concentrations_written.insert(set.chemical);
         const std::string value = operands_.text(set.value);
         guarded([&] {
             assign(fmt::format("{}{}", rate ? "sq" : "s", set.chemical), value);

@@ -1,7 +1,9 @@
-// See emit_stream.hpp. Names of values are those of emit_lattice.cpp.
+// See emit_stream.hpp. Names of values are those of emit_lattice.cpp; beyond them, for field f of what passes through,
+//   from<f>, to<f>  planes that it comes from and goes to
 #include "opencl/emit_stream.hpp"
 
 #include "opencl/emit_lattice.hpp"
+#include "opencl/lattice_traits.hpp"
 #include "opencl/program.hpp"
 
 #include <fmt/format.h>
@@ -10,146 +12,293 @@
 
 namespace pelage {
 
-std::string why_not_fused(const LatticePlan& plan, const RuleUse& use) {
-    if (plan.arithmetic != Arithmetic::fused) return "a sqr_grid keeps the published order of operations";
-    for (const RateKind kind : plan.rates) {
-        if (kind == RateKind::per_cell) return "diffusion rates differ between cells";
+namespace {
+
+// A value of each cell that passes through the levels.
+struct Passing {
+    std::string buffer;     // the planes it lies in: conc, rate, polarity or mapping
+    std::size_t plane = 0;  // its place among them
+    std::string middle;     // pointer to the value in scratch whose neighbours are looked at; empty: they are not
+    std::string result;     // the value to hand on
+    bool written = true;    // else it need not be put back
+};
+
+// What passes through, those whose neighbours are looked at first.
+std::vector<Passing> passing_fields(const Experiment& experiment, const LatticePlan& plan, const RuleUse& use) {
+    const LatticeTraits traits(experiment, plan, use);
+    const std::vector<std::size_t> planes = rate_planes(plan);
+    std::vector<Passing> seen, others;
+    for (std::size_t i = 0; i < plan.rates.size(); ++i) {
+        const bool watched = traits.visited(i) || traits.followed(i);
+        Passing field{"conc", i, watched ? fmt::format("a{}", i) : "", fmt::format("n{}", i), true};
+        if (!traits.idle(i)) (watched ? seen : others).push_back(field);
+        if (!traits.per_cell(i)) continue;
+        const bool writes = traits.writes_rates();
+        seen.push_back({"rate", planes[i], fmt::format("d{}", i), fmt::format("{}{}", writes ? 'q' : 'r', i), writes});
     }
-    if (!use.rates_written.empty()) return "rules write diffusion rates";
-    if (!use.mappings_read.empty() || !use.mappings_written.empty()) return "mappings outlast an iteration";
-    if (!use.polarizes.empty() || use.polarity) return "rules turn or read polarities";
-    for (const Quantity kept : {Quantity::neighbours, Quantity::age, Quantity::birth}) {
-        if (use.quantities.contains(kept)) return "rules read NEIGHBORS, AGE or BIRTH";
+    if (traits.polarity()) {
+        seen.push_back({"polarity", 0, "old_px", traits.turns() ? "turned_x" : "px", traits.turns()});
+        seen.push_back({"polarity", 1, "old_py", traits.turns() ? "turned_y" : "py", traits.turns()});
     }
-    return "";
+    const bool maps = !use.mappings_written.empty();  // planes swap together: what is not written would be lost
+    for (std::size_t i = 0; i < experiment.mappings.size(); ++i) {
+        if (maps || traits.maps(i)) others.push_back({"mapping", i, "", fmt::format("m{}", i), maps});
+    }
+    seen.insert(seen.end(), others.begin(), others.end());
+    return seen;
 }
 
-namespace {
+std::size_t count_seen(const std::vector<Passing>& fields) {
+    std::size_t count = 0;
+    for (const Passing& field : fields) count += field.middle.empty() ? 0 : 1;
+    return count;
+}
 
 class StreamEmitter {
 public:
-    StreamEmitter(const LatticePlan& plan, const RuleUse& use, const std::vector<bool>& bounded)
-        : plan_(plan), use_(use), bounded_(bounded) {}
+    StreamEmitter(const Experiment& experiment, const LatticePlan& plan, const RuleUse& use,
+                  const std::vector<bool>& bounded, Precision precision)
+        : plan_(plan),
+          use_(use),
+          bounded_(bounded),
+          precision_(precision),
+          traits_(experiment, plan, use),
+          fields_(passing_fields(experiment, plan, use)) {}
 
     std::map<std::string, std::string> fills(const RuleText& text) const {
         return {{"parameters", emit_parameters(plan_, bounded_)},
                 {"planes", planes()},
                 {"fetch", fetch()},
+                {"prefetch", prefetch()},
                 {"resume", resume()},
                 {"suspend", suspend()},
                 {"row", row()},
                 {"cell", cell()},
                 {"rules", text.rules},
                 {"diffusion", diffusion()},
+                {"visit", traits_.visit()},
                 {"replace", text.replace},
                 {"finish", finish()},
                 {"put", put()},
                 {"unroll", unroll(text)}};
     }
 
-    std::size_t carried() const {
-        std::size_t vectors = 0;
-        for (std::size_t i = 0; i < plan_.rates.size(); ++i) vectors += rolled(i) ? 3 : 1;
-        return vectors;
+    std::string settings() const {
+        std::string text = fmt::format("#define PELAGE_FIELDS {}\n#define PELAGE_SEEN {}\n#define PELAGE_CARRIED {}\n",
+                                       fields_.size(), count_seen(fields_), carried());
+        if (traits_.visits()) text += "#define PELAGE_VISITS\n" + traits_.shares(precision_);
+        return text;
     }
 
 private:
-    bool rolled(std::size_t i) const { return plan_.rates[i] == RateKind::uniform; }
     bool reads(Quantity quantity) const { return use_.quantities.contains(quantity); }
     bool absorbing() const { return plan_.boundary == Boundary::absorbing; }
 
-    // The formats, with {0} the chemical and {1} the first vector it carries: one for those that diffuse, one for
-    // others.
-    std::string each(const char* diffusing, const char* still) const {
+    // Vectors that a level carries along of a field.
+    std::size_t carried(const Passing& field) const {
+        if (field.buffer == "conc" && traits_.rolled(field.plane)) return 3;
+        return field.middle.empty() ? 1 : 0;
+    }
+    std::size_t carried() const {
+        std::size_t vectors = 0;
+        for (const Passing& field : fields_) vectors += carried(field);
+        return vectors;
+    }
+
+    // The format for every field: {0} its number, {1} the number of what it is of, {2} the first vector carried,
+    // {3} and {4} the next two, {5} the value handed on.
+    using Formats = const char* (*)(const Passing&, std::size_t carried);
+    std::string each(Formats format_of) const {
         std::string text;
         std::size_t place = 0;
-        for (std::size_t i = 0; i < plan_.rates.size(); ++i) {
-            text += fmt::format(fmt::runtime(rolled(i) ? diffusing : still), i, place, place + 1, place + 2);
-            place += rolled(i) ? 3 : 1;
+        for (std::size_t f = 0; f < fields_.size(); ++f) {
+            const std::size_t vectors = carried(fields_[f]);
+            text += fmt::format(fmt::runtime(format_of(fields_[f], vectors)), f, fields_[f].plane, place, place + 1,
+                                place + 2, fields_[f].result);
+            place += vectors;
         }
         return text;
     }
-    std::string each(const char* format) const { return each(format, format); }
+
+    // The format for every chemical that is idle.
+    std::string idle(const char* format, const char* bounded) const {
+        std::string text;
+        for (std::size_t i = 0; i < plan_.rates.size(); ++i) {
+            if (traits_.idle(i)) text += fmt::format(fmt::runtime(bounded_[i] ? bounded : format), i);
+        }
+        return text;
+    }
 
     std::string planes() const {
-        return each(
-            "global const scalar* const a{0} = PLANE(old_conc, {0});\n"
-            "global scalar* const b{0} = PLANE(new_conc, {0});\n");
+        std::string text;
+        for (std::size_t f = 0; f < fields_.size(); ++f) {
+            const Passing& field = fields_[f];
+            text +=
+                fmt::format("global const scalar* const from{0} = PLANE(pass % 2 == 0 ? even_{1} : odd_{1}, {2});\n", f,
+                            field.buffer, field.plane);
+            if (!field.written) continue;
+            text += fmt::format("global scalar* const to{0} = PLANE(pass % 2 == 0 ? odd_{1} : even_{1}, {2});\n", f,
+                                field.buffer, field.plane);
+        }
+        const char* const both =
+            "global const scalar* const idle{0} = PLANE(even_conc, {0});\n"
+            "global scalar* const rest{0} = PLANE(pass % 2 == 0 ? odd_conc : even_conc, {0});\n";
+        return text + idle(both, both);
     }
+
     std::string fetch() const {
-        return each("STORE(pelage_fetch(a{0} + there, x, columns), SCRATCH(0, r, {0}) + c * PELAGE_WIDTH);\n");
+        return each([](const Passing&, std::size_t) {
+            return "STORE(pelage_fetch(from{0} + there, x, columns), SCRATCH(0, r, {0}) + c * PELAGE_WIDTH);\n";
+        });
+    }
+    std::string prefetch() const {
+        return each([](const Passing&, std::size_t) {
+            return "__builtin_prefetch((const void*)(size_t)(from{0} + there + x));\n";
+        });
     }
     std::string put() const {
-        return each("pelage_put(LOAD(SCRATCH(steps & 1, r, {0}) + c * PELAGE_WIDTH), b{0} + there, x, from, to);\n");
+        std::string text = each([](const Passing& field, std::size_t) {
+            return field.written ? "pelage_put(LOAD(SCRATCH(steps & 1, r, {0}) + c * PELAGE_WIDTH), to{0} + there, x, "
+                                   "from, to);\n"
+                                 : "";
+        });
+        const std::string rest =
+            idle("pelage_put(pelage_fetch(idle{0} + there, x, columns), rest{0} + there, x, from, to);\n",
+                 "pelage_put(HELD(pelage_fetch(idle{0} + there, x, columns), floor{0}, limit{0}), rest{0} + there, x, "
+                 "from, to);\n");
+        return rest.empty() ? text : text + "if (pass + 1 == passes) {\n" + rest + "}\n";
     }
 
     std::string resume() const {
-        std::string text = each(
-            "real below{0} = LOAD(CARRY({1}));\nreal own{0} = LOAD(CARRY({2}));\n"
-            "real c{0} = LOAD(CARRY({3}));\n",
-            "real c{0} = LOAD(CARRY({1}));\n");
-        if (use_.random || reads(Quantity::column)) text += "const uintv column = pelage_columns(x, columns);\n";
-        if (absorbing()) {
+        std::string text = each([](const Passing& field, std::size_t vectors) {
+            if (vectors == 3) {
+                return "real below{1} = LOAD(CARRY({2}));\nreal own{1} = LOAD(CARRY({3}));\n"
+                       "real c{1} = LOAD(CARRY({4}));\n";
+            }
+            if (vectors == 0) return "";
+            return field.buffer == "conc" ? "real c{1} = LOAD(CARRY({2}));\n" : "real kept{1} = LOAD(CARRY({2}));\n";
+        });
+        if (use_.random || reads(Quantity::column) || traits_.visits()) {
+            text += "const uintv column = pelage_columns(x, columns);\n";
+        }
+        if (reads(Quantity::x)) text += "const real place_x = pelage_gather(places, x, columns);\n";
+        if (absorbing() || traits_.visits()) {
             text += "const mask inside_columns = TO_MASK((LANES + (uintv)((uint)x)) < (uintv)((uint)columns));\n";
+        }
+        if (traits_.visits()) {
+            text += "const mask mirrored = !inside_columns;\nconst int edge = x < 0 || x + PELAGE_WIDTH > columns;\n";
         }
         return text;
     }
     std::string suspend() const {
-        return each("STORE(below{0}, CARRY({1}));\nSTORE(own{0}, CARRY({2}));\nSTORE(c{0}, CARRY({3}));\n",
-                    "STORE(c{0}, CARRY({1}));\n");
+        return each([](const Passing& field, std::size_t vectors) {
+            if (vectors == 3)
+                return "STORE(below{1}, CARRY({2}));\nSTORE(own{1}, CARRY({3}));\nSTORE(c{1}, CARRY({4}));\n";
+            if (vectors == 0) return "";
+            return field.buffer == "conc" ? "STORE(c{1}, CARRY({2}));\n" : "STORE(kept{1}, CARRY({2}));\n";
+        });
     }
 
     std::string row() const {
-        std::string text;
-        if (use_.random || reads(Quantity::row) || reads(Quantity::y)) {
-            text += "const int row = pelage_stands_for(base + r - level - 1, rows, 0);\n";
+        std::string text = "const int at_row = base + r - level - 1;\n";
+        bool wanted = use_.random || traits_.visits();
+        for (const Quantity of_place :
+             {Quantity::row, Quantity::y, Quantity::neighbours, Quantity::birth, Quantity::age}) {
+            wanted = wanted || reads(of_place);
         }
+        for (const std::size_t i : use_.concentrations_read) wanted = wanted || traits_.idle(i);
+        if (wanted) text += "const int row = pelage_stands_for(at_row, rows, 0);\n";
         if (use_.random) text += "const uintv id = (uintv)((uint)row * (uint)columns) + column;\n";
         return text;
     }
 
     std::string cell() const {
-        return each("TAKE({0})\nTAKE_SUM({0})\nreal n{0} = c{0};\n", "TAKE({0})\nreal n{0} = c{0};\n");
+        std::string text;
+        for (std::size_t f = 0; f < fields_.size(); ++f) {
+            if (fields_[f].middle.empty()) continue;
+            text += fmt::format("local const scalar* const {} = SCRATCH(level & 1, r - 1, {}) + c * PELAGE_WIDTH;\n",
+                                fields_[f].middle, f);
+        }
+        text += each([](const Passing& field, std::size_t vectors) {
+            if (field.buffer == "mapping")
+                return "const real next{1} = LOAD(above + {0} * SLOT);\nreal m{1} = kept{1};\n";
+            if (field.buffer == "rate") return "";
+            if (field.buffer == "polarity") {
+                return field.plane == 0 ? "const real px = LOAD(old_px);\n" : "const real py = LOAD(old_py);\n";
+            }
+            if (vectors == 3) return "TAKE({1}, {0})\nTAKE_SUM({1}, {0})\nreal n{1} = c{1};\n";
+            if (vectors == 1) return "TAKE({1}, {0})\nreal n{1} = c{1};\n";
+            return "const real c{1} = LOAD(a{1});\nreal n{1} = c{1};\n";
+        });
+        for (std::size_t i = 0; i < plan_.rates.size(); ++i) {
+            if (traits_.per_cell(i)) text += fmt::format("const real r{0} = LOAD(d{0});\n", i);
+            if (traits_.per_cell(i) && traits_.writes_rates()) text += fmt::format("real q{0} = r{0};\n", i);
+            if (traits_.idle(i) && use_.concentrations_read.contains(i)) text += idle_value(i);
+        }
+        for (const std::size_t i : use_.polarizes) text += fmt::format("real gx{0} = R(0);\nreal gy{0} = R(0);\n", i);
+        return text;
     }
-    // Long rules would only make compilation slow.
-    static std::string unroll(const RuleText& text) { return text.rules.size() < 1000 ? "#pragma unroll\n" : ""; }
+    std::string idle_value(std::size_t i) const {
+        std::string text = fmt::format("real c{0} = pelage_fetch(idle{0} + (long)row * pitch, x, columns);\n", i);
+        if (bounded_[i]) text += fmt::format("if (step > 0) c{0} = HELD(c{0}, floor{0}, limit{0});\n", i);
+        return text;
+    }
 
-    std::string diffusion() const { return each("ROLL_DIFFUSE({0})\n", ""); }
+    // Long rows would only make compilation slow.
+    std::string unroll(const RuleText& text) const {
+        return text.rules.size() < 1000 && !traits_.visits() ? "#pragma unroll\n" : "";
+    }
+
+    std::string diffusion() const {
+        return each([](const Passing&, std::size_t vectors) { return vectors == 3 ? "ROLL_DIFFUSE({1})\n" : ""; });
+    }
 
     std::string finish() const {
         std::string text;
         for (std::size_t i = 0; i < bounded_.size(); ++i) {
-            if (!bounded_[i]) continue;
-            text +=
-                fmt::format("n{0} = SELECT(n{0} < floor{0}, floor{0}, SELECT(n{0} > limit{0}, limit{0}, n{0}));\n", i);
+            if (bounded_[i] && !traits_.idle(i)) text += fmt::format("n{0} = HELD(n{0}, floor{0}, limit{0});\n", i);
         }
+        if (traits_.turns()) text += traits_.turn(precision_);
         if (absorbing()) {
-            text +=
-                "const int at_row = base + r - level - 1;\n"
-                "const mask inside = UNIFORM(at_row >= 0 && at_row < rows) & inside_columns;\n";
-            text += each("n{0} = SELECT(inside, n{0}, R(0));\n");
+            text += "const mask present = UNIFORM(at_row >= 0 && at_row < rows) & inside_columns;\n";
+            text += each([](const Passing& field, std::size_t) {
+                return field.buffer == "conc" ? "n{1} = SELECT(present, n{1}, R(0));\n" : "";
+            });
         }
-        text += each("STORE(n{0}, result + {0} * SLOT);\n");
-        return text + each("ROLL_ON({0})\n", "c{0} = up{0};\n");
+        text += each([](const Passing&, std::size_t) { return "STORE({5}, result + {0} * SLOT);\n"; });
+        return text + each([](const Passing& field, std::size_t vectors) {
+                   if (vectors == 3) return "ROLL_ON({1})\n";
+                   if (vectors == 0) return "";
+                   return field.buffer == "conc" ? "c{1} = up{1};\n" : "kept{1} = next{1};\n";
+               });
     }
 
     const LatticePlan& plan_;
     const RuleUse& use_;
     const std::vector<bool>& bounded_;
+    Precision precision_;
+    LatticeTraits traits_;
+    std::vector<Passing> fields_;
 };
 
 }  // namespace
 
+StreamFields stream_fields(const Experiment& experiment, const LatticePlan& plan, const RuleUse& use) {
+    const std::vector<Passing> fields = passing_fields(experiment, plan, use);
+    return {fields.size(), count_seen(fields)};
+}
+
 std::string stream_source(const Experiment& experiment, const LatticePlan& plan, const RuleText& rules,
-                          const std::vector<bool>& bounded, std::size_t width, const StreamShape& shape) {
-    const StreamEmitter emitter(plan, rules.use, bounded);
+                          const std::vector<bool>& bounded, Precision precision, std::size_t width,
+                          const StreamShape& shape) {
+    const StreamEmitter emitter(experiment, plan, rules.use, bounded, precision);
     Source source;
-    source.text(lattice_settings(plan, width));
+    source.text(lattice_settings(plan, width) + emitter.settings());
     source.text(fmt::format(
-        "#define PELAGE_DEPTH {}\n#define PELAGE_BLOCK {}\n#define PELAGE_VECTORS {}\n"
-        "#define PELAGE_GROUP {}\n#define PELAGE_FIELDS {}\n#define PELAGE_CARRIED {}\n",
-        shape.depth, shape.block, shape.vectors, shape.group, experiment.chemicals.size(), emitter.carried()));
+        "#define PELAGE_DEPTH {}\n#define PELAGE_BLOCK {}\n#define PELAGE_VECTORS {}\n#define PELAGE_GROUP {}\n{}",
+        shape.depth, shape.block, shape.vectors, shape.group, shape.prefetch ? "#define PELAGE_PREFETCH\n" : ""));
     source.file("prelude.cl").file("philox.cl").file("lattice_rows.cl").file("stencil.cl");
+    source.file("lattice_mirrors.cl").file("exchange.cl");
     for (const std::string& model : model_files(rules.use)) source.file(model);
     return source.file("lattice_stream.cl", emitter.fills(rules)).str();
 }

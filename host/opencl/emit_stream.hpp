@@ -3,6 +3,7 @@
 
 #include "core/experiment.hpp"
 #include "core/lattice.hpp"
+#include "core/tissue.hpp"
 #include "opencl/emit_rules.hpp"
 
 #include <cstddef>
@@ -13,17 +14,22 @@ namespace pelage {
 
 // How a program of fused iterations is cut to a device.
 struct StreamShape {
-    std::size_t depth = 16;    // most iterations a launch
+    std::size_t depth = 24;    // most iterations a launch
     std::size_t block = 8;     // rows taken at a time
-    std::size_t vectors = 18;  // most vectors across a band
+    std::size_t vectors = 19;  // most vectors across a band
     std::size_t group = 1;     // work-items
+    bool prefetch = false;     // ask for memory before it is needed
 };
 
-// Why these rules cannot be fused, in words; empty when they can. Fused programs hold concentrations alone: rates are
-// the same in all cells, and no state of a cell but its concentrations outlasts an iteration.
-std::string why_not_fused(const LatticePlan&, const RuleUse&);
+// Values of a cell that pass through the levels: concentrations, and rates, polarity and mappings that differ from
+// cell to cell. `seen`: those whose neighbours are looked at one by one.
+struct StreamFields {
+    std::size_t all = 0;
+    std::size_t seen = 0;
+};
+StreamFields stream_fields(const Experiment&, const LatticePlan&, const RuleUse&);
 
 std::string stream_source(const Experiment&, const LatticePlan&, const RuleText&, const std::vector<bool>& bounded,
-                          std::size_t width, const StreamShape&);
+                          Precision, std::size_t width, const StreamShape&);
 
 }  // namespace pelage

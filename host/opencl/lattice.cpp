@@ -4,10 +4,14 @@
 #include "core/schedule.hpp"
 #include "opencl/cl_error.hpp"
 #include "opencl/emit_lattice.hpp"
+#include "opencl/explain.hpp"
 #include "opencl/lattice_state.hpp"
 #include "opencl/lattice_step.hpp"
+#include "opencl/lattice_traits.hpp"
 #include "opencl/program.hpp"
 #include "opencl/stream_step.hpp"
+
+#include <fmt/format.h>
 
 #include <algorithm>
 #include <array>
@@ -42,7 +46,11 @@ public:
         do_write(initial);
     }
 
+    std::vector<std::string> notes() const override { return notes_; }
+
 private:
+    static constexpr std::size_t most_notes = 64;
+
     std::size_t do_cells() const override { return state_->grid().cells(); }
 
     void do_advance(std::uint64_t first, std::uint64_t count) override {
@@ -82,11 +90,12 @@ private:
         with_device(session_->info().name, [&] {
             const LatticePlan plan = lattice_plan(experiment(), snapshot);
             const std::vector<bool> every(experiment().rules.size(), true);
-            const RuleUse use = emit_rules(experiment(), every, session_->options().precision).use;
-            state_ = std::make_unique<LatticeState>(*session_, experiment(), plan, use, snapshot);
+            every_use_ = emit_rules(experiment(), every, session_->options().precision).use;
+            state_ = std::make_unique<LatticeState>(*session_, experiment(), plan, every_use_, snapshot);
             if (plan.rates != plan_.rates || plan.polarity != plan_.polarity) {  // all else is the experiment's
                 steps_.clear();
                 any_set_ = {};
+                reasons_.clear();
             }
             plan_ = plan;
             counted_ = false;
@@ -103,29 +112,65 @@ private:
         for (std::size_t i = 0; i < active.size(); ++i) {
             if (std::holds_alternative<Expand>(experiment().rules[i].action)) active[i] = false;
         }
-        const bool fused = wants_fusion(work_[active] += static_cast<double>(count) * static_cast<double>(do_cells()));
-        if (steps_.size() >= session_->options().variants && !steps_.contains({active, fused})) {
-            std::unique_ptr<LatticeKernel>& step = any_set_[fused ? 1 : 0];
-            if (!step) step = make_step(std::vector<bool>(active.size(), true), true, fused);
+        double& work = work_[active];
+        work += static_cast<double>(count) * static_cast<double>(do_cells());
+        const bool streamed = wants_streaming(active, work, iteration);
+        if (steps_.size() >= session_->options().variants && !steps_.contains({active, streamed})) {
+            std::unique_ptr<LatticeKernel>& step = any_set_[streamed ? 1 : 0];
+            if (!step) step = make_step(std::vector<bool>(active.size(), true), true, streamed, iteration);
             return *step;
         }
-        std::unique_ptr<LatticeKernel>& step = steps_[{active, fused}];
-        if (!step) step = make_step(active, false, fused);
+        std::unique_ptr<LatticeKernel>& step = steps_[{active, streamed}];
+        if (!step) step = make_step(active, false, streamed, iteration);
         return *step;
     }
 
-    // A fused program takes seconds to compile: that much `work`, in cell-updates, must have come by.
-    bool wants_fusion(double work) const {
+    // A streamed program takes seconds to compile: so much `work`, in cell-updates, must have come by and must lie
+    // ahead. And what threads hold in their own caches is shared faster than it is streamed.
+    bool wants_streaming(const std::vector<bool>& active, double work, std::uint64_t iteration) {
         const Fusion fusion = session_->options().fusion;
-        return fusion == Fusion::automatic ? is_cpu(*session_) && work >= 5e7 : fusion == Fusion::always;
+        if (fusion != Fusion::automatic) return fusion == Fusion::always;
+        if (!is_cpu(*session_) || work < 2e8 || fits_caches()) return false;
+        const std::uint64_t last = std::max(experiment().last_iteration(), iteration);
+        const double ahead = static_cast<double>(last - iteration) * static_cast<double>(do_cells());
+        return work + ahead >= 2e9 && reason_against(active).empty();
     }
 
-    std::unique_ptr<LatticeKernel> make_step(const std::vector<bool>& active, bool test_intervals, bool fused) const {
-        const RuleUse use = emit_rules(experiment(), active, session_->options().precision, test_intervals).use;
-        if (fused && why_not_fused(plan_, use).empty()) {
-            return std::make_unique<StreamStep>(*session_, experiment(), plan_, active, test_intervals);
+    const std::string& reason_against(const std::vector<bool>& active) {
+        const auto known = reasons_.find(active);
+        if (known != reasons_.end()) return known->second;
+        const RuleUse use = emit_rules(experiment(), active, session_->options().precision).use;
+        return reasons_[active] = why_not_streamed(plan_, use);
+    }
+
+    bool fits_caches() const {
+        constexpr std::size_t cache_bytes = 1'500'000;  // of one thread's second level, much of it
+        std::size_t fields = 0;
+        const LatticeTraits traits(experiment(), plan_, every_use_);
+        for (std::size_t i = 0; i < plan_.rates.size(); ++i) fields += traits.idle(i) ? 0 : 1;
+        const std::size_t bytes = 2 * fields * session_->scalar_bytes() * do_cells();
+        return bytes < cache_bytes * session_->info().compute_units;
+    }
+
+    std::unique_ptr<LatticeKernel> make_step(const std::vector<bool>& active, bool test_intervals, bool streamed,
+                                             std::uint64_t iteration) {
+        std::unique_ptr<LatticeKernel> step;
+        if (streamed) {
+            step = std::make_unique<StreamStep>(*session_, experiment(), plan_, active, test_intervals);
+        } else {
+            step = std::make_unique<LatticeStep>(*session_, experiment(), plan_, active, test_intervals);
         }
-        return std::make_unique<LatticeStep>(*session_, experiment(), plan_, active, test_intervals);
+        const bool shared = shares_steps(*session_);
+        const std::string reason = fits_caches() ? "the threads' own caches hold the lattice" : reason_against(active);
+        note(iteration, step->describe(), streamed || !shared ? "" : reason);
+        return step;
+    }
+
+    void note(std::uint64_t iteration, const std::string& how, const std::string& reason) {
+        const std::string text = reason.empty() ? how : how + "; not streamed: " + reason;
+        if (text == latest_note_ || notes_.size() == most_notes) return;
+        notes_.push_back(fmt::format("from iteration {}: {}", iteration, text));
+        latest_note_ = text;
     }
 
     void upload_parameters(const Phase& phase) {
@@ -153,8 +198,8 @@ private:
         if (finder_() == nullptr) {
             Source source;
             source.file("prelude.cl").file("non_finite.cl");
-            finder_ = cl::Kernel(session_->build(source.str()), "pelage_lattice_non_finite");
             found_ = session_->buffer(found.size() * 4, "search results");
+            finder_ = cl::Kernel(session_->build(source.str()), "pelage_lattice_non_finite");
         }
         const cl::CommandQueue& queue = session_->queue();
         queue.enqueueWriteBuffer(found_, CL_TRUE, 0, found.size() * 4, found.data());
@@ -164,8 +209,10 @@ private:
         finder_.setArg(3, static_cast<cl_int>(grid.rows));
         finder_.setArg(4, static_cast<cl_int>(grid.pitch()));
         finder_.setArg(5, static_cast<cl_int>(found.size()));
-        const std::size_t items = std::min<std::size_t>(grid.rows, 8 * session_->info().compute_units);
-        queue.enqueueNDRangeKernel(finder_, cl::NullRange, cl::NDRange(items), cl::NDRange(1));
+        const bool strips = is_cpu(*session_);
+        const std::size_t items =
+            strips ? std::min<std::size_t>(grid.rows, 8 * session_->info().compute_units) : grid.rows;
+        session_->launch(finder_, cl::NDRange(items, strips ? 1 : 64), cl::NDRange(1, 1));
         queue.enqueueReadBuffer(found_, CL_TRUE, 0, found.size() * 4, found.data());
         for (std::size_t chemical = 0; chemical < found.size(); ++chemical) {
             if (found[chemical] != 0xffffffffu) return NonFinite{chemical, found[chemical]};
@@ -176,12 +223,16 @@ private:
     std::shared_ptr<const Session> session_;
     Pace pace_;
     LatticePlan plan_;
+    RuleUse every_use_;  // what any rule may need, at any time
     std::unique_ptr<LatticeState> state_;
     bool counted_ = false;                      // state_ has been told that an iteration has been carried out
     std::map<std::vector<bool>, double> work_;  // cell-updates asked for, by active rules
-    // By active rules and whether fused; any_set_ tests at run time which rules act, [1] fused.
+    // By active rules and whether streamed; any_set_ tests at run time which rules act, [1] streamed.
     std::map<std::pair<std::vector<bool>, bool>, std::unique_ptr<LatticeKernel>> steps_;
     std::array<std::unique_ptr<LatticeKernel>, 2> any_set_;
+    std::map<std::vector<bool>, std::string> reasons_;  // against streaming, by active rules
+    std::vector<std::string> notes_;
+    std::string latest_note_;
     cl::Buffer parameters_;
     std::vector<double> parameter_values_;
     mutable cl::Kernel finder_;

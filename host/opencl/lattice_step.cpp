@@ -9,10 +9,15 @@ namespace pelage {
 
 namespace {
 
-// Below this many cells one thread is done before a second has woken up.
-constexpr std::size_t alone_below = 40'000;
+// Work-groups share the steps of lattices up to this many cells; larger ones are worth a launch a step.
+constexpr std::size_t shared_below = 1'000'000;
+// A second thread is woken for no less work than this, in cell-updates; it takes as long as some ten thousand.
+constexpr std::size_t worth_waking = 100'000;
+// Cells that a strip should have, or threads wait for each other more than they work.
+constexpr std::size_t cells_a_strip = 2'000;
 // Work of one launch, so that the host gets its turn every few milliseconds.
-constexpr std::size_t cells_a_launch = 4'000'000;
+constexpr std::size_t cells_a_launch = 8'000'000;
+constexpr std::size_t steps_a_launch = 4096;
 
 std::size_t divided(std::size_t a, std::size_t b) { return (a + b - 1) / b; }
 
@@ -30,34 +35,73 @@ std::size_t lattice_width(const Session& session) {
     return width;
 }
 
-LaunchShape launch_shape(const Session& session, const Grid& grid, std::size_t width) {
+bool shares_steps(const Session& session) {
+    return is_cpu(session) && session.options().work_group <= 1 && session.options().fusion != Fusion::never;
+}
+
+namespace {
+
+LaunchShape shared_shape(const Session& session, const Grid& grid, std::uint64_t count) {
     LaunchShape shape;
-    const std::size_t group = session.options().work_group;
+    if (grid.cells() > shared_below) {  // so many strips that threads find work however late they come
+        shape.bands = std::min<std::size_t>(grid.rows, 4 * session.info().compute_units);
+        shape.band = divided(grid.rows, shape.bands);
+        shape.bands = divided(grid.rows, shape.band);
+        return shape;
+    }
+    const std::size_t most = std::clamp<std::size_t>(cells_a_launch / grid.cells(), 1, steps_a_launch);
+    shape.steps = static_cast<std::size_t>(std::min<std::uint64_t>(most, count));
+    if (grid.cells() * shape.steps < worth_waking) {
+        shape.band = grid.rows;
+        return shape;
+    }
+    const std::size_t strips = std::min<std::size_t>(session.info().compute_units, grid.cells() / cells_a_strip);
+    shape.band = divided(grid.rows, std::clamp<std::size_t>(strips, 1, grid.rows));
+    shape.bands = divided(grid.rows, shape.band);
+    return shape;
+}
+
+}  // namespace
+
+LaunchShape launch_shape(const Session& session, const Grid& grid, std::size_t width, bool together,
+                         std::uint64_t count) {
+    LaunchShape shape;
+    const std::size_t most = std::max<std::size_t>(1, session.info().max_work_group);
+    const std::size_t group = std::min(session.options().work_group, most);
     const std::size_t strips = divided(grid.columns, width);
     if (!is_cpu(session)) {
-        shape.work_group = group != 0 ? group : std::min<std::size_t>(64, session.info().max_work_group);
+        shape.work_group = group != 0 ? group : std::min<std::size_t>(64, most);
         shape.across = divided(strips, shape.work_group) * shape.work_group;
         shape.bands = grid.rows;
         return shape;
     }
+    if (together) return shared_shape(session, grid, count);
     shape.work_group = group != 0 ? group : 1;
     shape.across = shape.work_group;
-    const bool alone = shape.across == 1 && grid.cells() < alone_below;
-    shape.bands = alone ? 1 : std::min<std::size_t>(grid.rows, 4 * session.info().compute_units);
+    shape.bands = std::min<std::size_t>(grid.rows, 4 * session.info().compute_units);
     shape.band = divided(grid.rows, shape.bands);
-    if (alone) shape.steps = std::clamp<std::size_t>(cells_a_launch / grid.cells(), 1, 4096);
     return shape;
 }
 
 LatticeStep::LatticeStep(const Session& session, const Experiment& experiment, const LatticePlan& plan,
                          const std::vector<bool>& active, bool test_intervals)
-    : session_(session), width_(lattice_width(session)), seed_(static_cast<std::uint64_t>(experiment.run_seed())) {
+    : session_(session),
+      width_(lattice_width(session)),
+      seed_(static_cast<std::uint64_t>(experiment.run_seed())),
+      together_(shares_steps(session)),
+      shared_(session) {
     const RuleText rules = emit_rules(experiment, active, session.options().precision, test_intervals);
     writes_rates_ = !rules.use.rates_written.empty();
     writes_polarity_ = !rules.use.polarizes.empty();
-    const std::string source =
-        lattice_source(experiment, plan, rules, bounded_chemicals(experiment), session.options().precision, width_);
+    const std::string source = lattice_source(experiment, plan, rules, bounded_chemicals(experiment),
+                                              session.options().precision, width_, together_);
     kernel_ = cl::Kernel(session.build(source), "pelage_lattice_step");
+}
+
+std::string LatticeStep::describe() const {
+    if (together_) return "fused, steps shared among threads";
+    return std::string("not fused, one launch an iteration: ") +
+           (is_cpu(session_) ? "as the options ask for" : "fused programs are for CPUs");
 }
 
 void LatticeStep::set_buffers(LatticeState& state) {
@@ -85,15 +129,15 @@ void LatticeStep::set_shape(LatticeState& state, const cl::Buffer& parameters, c
 
 void LatticeStep::enqueue(LatticeState& state, const cl::Buffer& parameters, std::uint64_t first, std::uint64_t count,
                           Pace& pace) {
-    const LaunchShape shape = launch_shape(session_, state.grid(), width_);
-    set_shape(state, parameters, shape);
     for (std::uint64_t done = 0; done < count;) {
+        const LaunchShape shape = launch_shape(session_, state.grid(), width_, together_, count - done);
         const std::uint64_t steps = std::min<std::uint64_t>(shape.steps, count - done);
+        set_shape(state, parameters, shape);
         set_buffers(state);
+        if (together_) shared_.prepare(kernel_, 19, shape.bands, steps);
         kernel_.setArg(15, static_cast<cl_uint>(first + done));
         kernel_.setArg(16, static_cast<cl_uint>(steps));
-        session_.queue().enqueueNDRangeKernel(kernel_, cl::NullRange, cl::NDRange(shape.across, shape.bands),
-                                              cl::NDRange(shape.work_group, 1));
+        session_.launch(kernel_, cl::NDRange(shape.across, shape.bands), cl::NDRange(shape.work_group, 1));
         pace.launched();
         done += steps;
         if (steps % 2 == 0) continue;  // an even number of steps ends where it began

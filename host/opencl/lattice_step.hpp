@@ -6,8 +6,10 @@
 #include "opencl/lattice_state.hpp"
 #include "opencl/pace.hpp"
 #include "opencl/session.hpp"
+#include "opencl/shared_steps.hpp"
 
 #include <cstdint>
+#include <string>
 #include <vector>
 
 namespace pelage {
@@ -25,7 +27,12 @@ bool is_cpu(const Session&);  // a processor proper, not a rasteriser that runs 
 
 // Cells that a work-item handles side by side: the lanes of a CPU, 1 on other devices.
 std::size_t lattice_width(const Session&);
-LaunchShape launch_shape(const Session&, const Grid&, std::size_t width);
+
+// Whether the device's work-groups share the steps of small lattices instead of being launched for each.
+bool shares_steps(const Session&);
+
+// `together`: the kernel is of that kind; then `bands` is the number of strips. `count`: iterations to come.
+LaunchShape launch_shape(const Session&, const Grid&, std::size_t width, bool together, std::uint64_t count);
 
 // Carries out iterations of a lattice under one set of active rules.
 class LatticeKernel {
@@ -34,6 +41,7 @@ public:
     // Enqueues iterations first .. first + count - 1. `parameters`: see LatticeParameter.
     virtual void enqueue(LatticeState&, const cl::Buffer& parameters, std::uint64_t first, std::uint64_t count,
                          Pace&) = 0;
+    virtual std::string describe() const = 0;  // how it carries them out, in a few words
 };
 
 // The plain kernel, for any set of rules.
@@ -44,6 +52,7 @@ public:
                 bool test_intervals);
 
     void enqueue(LatticeState&, const cl::Buffer& parameters, std::uint64_t first, std::uint64_t count, Pace&) override;
+    std::string describe() const override;
 
 private:
     void set_buffers(LatticeState&);
@@ -54,6 +63,8 @@ private:
     std::uint64_t seed_;
     bool writes_rates_ = false;
     bool writes_polarity_ = false;
+    bool together_;
+    SharedSteps shared_;
     cl::Kernel kernel_;
 };
 

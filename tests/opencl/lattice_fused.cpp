@@ -1,9 +1,10 @@
 // Fused iterations: the bits of the reference, however deep the passes and however the lattice is shared out.
 #include "lattice_run.hpp"
-#include "opencl/stream_step.hpp"
-#include "support/lab.hpp"
+#include "opencl/explain.hpp"
+#include "verify/lab.hpp"
 
 using namespace pelage;
+using namespace pelage::verify;
 using namespace test;
 
 namespace {
@@ -11,6 +12,8 @@ namespace {
 OpenclOptions fused(std::size_t width = 0) {
     OpenclOptions made;
     made.fusion = Fusion::always;
+    made.variants = 1;       // few programs: they take long to compile,
+    made.use_cache = false;  // and longer where they are to be kept
     made.width = width;
     return made;
 }
@@ -38,13 +41,19 @@ Snapshot run(Backend& backend, const Experiment& experiment, std::vector<std::ui
 
 }  // namespace
 
-TEST_CASE("fused: stencils and boundaries") {
-    check_cases("diffusion/nine-point", fused());
-    check_cases("diffusion/five-point/no-flux", fused());
-    check_cases("diffusion/sims/absorbing", fused());
+TEST_CASE("fused: diffusion with every stencil and boundary") { check_cases("diffusion/", fused()); }
+TEST_CASE("fused: every reaction") { check_cases("reaction/", fused()); }
+TEST_CASE("fused: polarized cells") {
+    check_cases("rates/polarized/nine-point", fused());
+    check_cases("rates/polarized/five-point/no-flux", fused());
+    check_cases("rates/polarized/published", fused());
 }
+TEST_CASE("fused: uneven rates") { check_cases("rates/uneven", fused()); }
 TEST_CASE("fused: rules") { check_cases("rules/", fused()); }
-TEST_CASE("fused: growth") { check_cases("growth/", fused()); }
+TEST_CASE("fused: growth") {
+    check_cases("growth/no-flux", fused());
+    check_cases("growth/plain", fused());
+}
 
 TEST_CASE("fused: several bands and strips, odd remainders") {
     const auto device = opencl_backend(fused());
@@ -78,19 +87,46 @@ TEST_CASE("fused: double, and one cell a vector") {
                   run(*opencl_backend(fused(1)), experiment, {40}));
 }
 
-TEST_CASE("fused: what keeps a program from being fused is said in words") {
+TEST_CASE("shared steps: strips that wait for each other, and one launch an iteration, give the same bits") {
+    OpenclOptions shared;
+    shared.fusion = Fusion::shared;
+    OpenclOptions plain;
+    plain.fusion = Fusion::never;
+    for (const Boundary boundary : {Boundary::wrap, Boundary::no_flux, Boundary::absorbing}) {
+        const Experiment experiment = busy(131, 97, boundary);
+        const Snapshot expected = run(*reference_backend(Precision::single_), experiment, {300});
+
+        require_equal(expected, run(*opencl_backend(shared), experiment, {300}));
+        require_equal(expected, run(*opencl_backend(shared), experiment, {7, 100, 1, 192}));
+        require_equal(expected, run(*opencl_backend(plain), experiment, {300}));
+    }
+}
+
+TEST_CASE("fused: why a program is not streamed is said in words") {
     LatticePlan plan;
     plan.rates = {RateKind::uniform, RateKind::none};
-    RuleUse maps;
-    maps.mappings_read.insert(0);
-    RuleUse ages;
-    ages.quantities.insert(Quantity::age);
+    RuleUse draws;
+    draws.random = true;
+    RuleUse turns;
+    turns.polarizes.insert(0);
 
-    CHECK(why_not_fused(plan, RuleUse{}).empty());
-    CHECK(why_not_fused(plan, maps) == "mappings outlast an iteration");
-    CHECK(why_not_fused(plan, ages) == "rules read NEIGHBORS, AGE or BIRTH");
+    CHECK(why_not_streamed(plan, RuleUse{}).empty());
+    CHECK(why_not_streamed(plan, draws) == "random draws, not memory, set its pace");
+    CHECK(why_not_streamed(plan, turns) == "polarities that follow gradients, not memory, set its pace");
     plan.rates[1] = RateKind::per_cell;
-    CHECK(why_not_fused(plan, RuleUse{}) == "diffusion rates differ between cells");
-    plan.arithmetic = Arithmetic::published;
-    CHECK(why_not_fused(plan, RuleUse{}) == "a sqr_grid keeps the published order of operations");
+    CHECK(why_not_streamed(plan, RuleUse{}) == "diffusion rates that differ between cells, not memory, set its pace");
+}
+
+TEST_CASE("fused: every set of rules of an experiment is explained") {
+    const Experiment experiment = busy(16, 16, Boundary::wrap);
+
+    const auto sentences = explain_lattice(experiment, initial_state(experiment), Precision::single_);
+
+    REQUIRE(sentences.size() == 1);
+    CHECK(sentences.front().find("from iteration 0, the rules of lines") == 0);
+    CHECK(sentences.front().find("random draws, not memory, set its pace") != std::string::npos);
+    const auto tissue = opencl_backend(fused())->make_tissue(experiment);
+    tissue->advance(2);
+    REQUIRE(tissue->notes().size() == 1);
+    CHECK(tissue->notes().front().find("from iteration 0: fused, streamed") == 0);
 }
