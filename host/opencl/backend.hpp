@@ -12,14 +12,21 @@
 
 namespace pelage {
 
-// Whether a lattice carries out several iterations in one pass over memory, where its rules allow that. The bits are
-// the same; the program takes longer to compile, so short runs do without.
-enum class Fusion { automatic, always, never };
+// How a lattice carries out several iterations a launch. The bits are the same whatever is chosen.
+//   automatic  what is fastest for the device, the rules and the work to come
+//   always     streamed: several iterations in one pass over memory, where the rules allow that; else as `shared`. The
+//              program takes longer to compile, so that in short runs `automatic` does without.
+//   shared     work-groups share a lattice's steps and wait for each other; on CPUs, else as `never`
+//   never      one launch an iteration
+enum class Fusion { automatic, always, never, shared };
 
 struct OpenclOptions {
     std::optional<std::string> device;  // index, type or part of the name; see choose_device
     Precision precision = Precision::single_;
     bool use_cache = true;  // compiled programs kept on disk
+    // Kept by us even where the driver keeps them itself, as PoCL does: asking PoCL for a binary makes it compile every
+    // kernel once more.
+    bool cache_twice = false;
     // Lets the compiler contract and reorder floating-point arithmetic: faster on some devices, and equality with
     // the reference, even from run to run of another build, is given up.
     bool fast = false;
@@ -27,6 +34,9 @@ struct OpenclOptions {
     std::size_t variants = 16;   // programs for sets of active rules before one that tests all intervals itself
     std::size_t width = 0;       // cells a work-item handles side by side, 1, 2, 4, 8 or 16; 0: ours to choose
     Fusion fusion = Fusion::automatic;
+    // For verification: every buffer lies between guard zones, looked at after each launch, and what a launch must write
+    // is filled with NaN first. Each launch is waited for.
+    bool guarded = false;
     NeighbourSearch neighbours = NeighbourSearch::bins;  // of free cells
     SpatialSorting sorting;                              // for spatial_sorting
 };

@@ -171,6 +171,7 @@ std::size_t OpenclCells::group_for(std::size_t items) const {
 }
 
 void OpenclCells::enqueue(CellsStep& step, std::uint64_t first, std::size_t steps) {
+    state_.poison_spare([&](CellArray array) { return changes(step.written, array); });
     const cl_uint next = bind(step.there, step.written, false);
     if (steps > 1) bind(step.back, step.written, true);
     const std::size_t items = (do_cells() + programs_->width() - 1) / programs_->width();

@@ -3,6 +3,7 @@
 
 #include "core/error.hpp"
 #include "core/experiment.hpp"
+#include "opencl/cl_error.hpp"
 
 #include <fmt/format.h>
 
@@ -82,13 +83,14 @@ void CellsState::check_memory(std::size_t cells) const {
     }
 }
 
-cl::Buffer CellsState::grown(const cl::Buffer& from, std::size_t planes, std::size_t bytes, std::size_t pitch,
-                             const std::string& what) const {
+cl::Buffer CellsState::grown(const cl::Buffer& from, std::size_t from_pitch, std::size_t planes, std::size_t bytes,
+                             std::size_t pitch, const std::string& what) const {
     cl::Buffer to = session_.buffer(planes * pitch * bytes, what);
     if (planes == 0) return to;
     session_.queue().enqueueFillBuffer(to, cl_int{0}, 0, planes * pitch * bytes);
     for (std::size_t plane = 0; from() != nullptr && plane < planes; ++plane) {
-        session_.queue().enqueueCopyBuffer(from, to, plane * pitch_ * bytes, plane * pitch * bytes, pitch_ * bytes);
+        session_.queue().enqueueCopyBuffer(from, to, plane * from_pitch * bytes, plane * pitch * bytes,
+                                           std::min(from_pitch, pitch) * bytes);
     }
     return to;
 }
@@ -97,21 +99,36 @@ void CellsState::reserve(std::size_t cells) {
     if (cells + extra_places <= pitch_) return;
     check_memory(cells);
     const std::size_t pitch = pitch_for(cells + extra_places);
+    auto its_pitch = pitches_.begin();
+    const auto regrow = [&](cl::Buffer& buffer, std::size_t planes, std::size_t bytes, const char* what) {
+        buffer = grown(buffer, *its_pitch, planes, bytes, pitch, what);
+        *its_pitch++ = pitch;
+    };
     for (std::size_t array = 0; array < cell_array_count; ++array) {
-        now_[array] = grown(now_[array], planes_[array], element_bytes(array), pitch, names[array]);
-        spare_[array] = grown(spare_[array], planes_[array], element_bytes(array), pitch, names[array]);
+        regrow(now_[array], planes_[array], element_bytes(array), names[array]);
+        regrow(spare_[array], planes_[array], element_bytes(array), names[array]);
     }
-    built_ = grown(built_, 2, session_.scalar_bytes(), pitch, "earlier positions");
-    place_of_ = grown(place_of_, 1, sizeof(cl_int), pitch, "places of cells");
-    divides_ = grown(divides_, 1, sizeof(cl_uint), pitch, "marks of dividing cells");
-    degrees_ = grown(degrees_, divide_rules_, session_.scalar_bytes(), pitch, "directions of division");
+    regrow(built_, 2, session_.scalar_bytes(), "earlier positions");
+    regrow(place_of_, 1, sizeof(cl_int), "places of cells");
+    regrow(divides_, 1, sizeof(cl_uint), "marks of dividing cells");
+    regrow(degrees_, divide_rules_, session_.scalar_bytes(), "directions of division");
     pitch_ = pitch;
+}
+
+// Contents too: whoever calls this brings new ones.
+void CellsState::forget_torn() {
+    if (std::ranges::all_of(pitches_, [&](std::size_t pitch) { return pitch == pitch_; })) return;
+    for (cl::Buffer& buffer : now_) buffer = cl::Buffer();
+    for (cl::Buffer& buffer : spare_) buffer = cl::Buffer();
+    for (cl::Buffer* buffer : {&built_, &place_of_, &divides_, &degrees_}) *buffer = cl::Buffer();
+    pitches_.fill(0);
+    pitch_ = 0;
 }
 
 void CellsState::grow(std::size_t cells) {
     if (cells + extra_places <= pitch_) return;
     try {
-        reserve(std::max(cells, cells_ + cells_ / 2));
+        with_device(session_.info().name, [&] { reserve(std::max(cells, cells_ + cells_ / 2)); });
     } catch (const Error&) {
         reserve(cells);
     }
@@ -119,6 +136,7 @@ void CellsState::grow(std::size_t cells) {
 
 void CellsState::upload(const Snapshot& snapshot) {
     cells_ = 0;
+    forget_torn();
     reserve(snapshot.cells());
     cells_ = snapshot.cells();
     if (session_.is_double()) {

@@ -31,7 +31,8 @@ public:
     Snapshot download() const;     // in order of id; mirrors are left out
     void fill_rate(std::size_t chemical, double rate);
 
-    // Makes room for that many cells; what is there stays, in both sets. Throws Error when memory does not suffice.
+    // Makes room for that many cells; what is there stays, in both sets. Throws Error when memory does not suffice;
+    // then only a smaller reserve() or an upload() may follow.
     void reserve(std::size_t cells);
     void grow(std::size_t cells);                              // as reserve(), with room for more where memory allows
     void append(std::size_t children) { cells_ += children; }  // that a kernel has written
@@ -46,6 +47,15 @@ public:
     void add_now(Arguments&) const;
     void add_spare(Arguments&) const;
 
+    // Guarded sessions: what a step must write holds NaN before it does. `changes(array)` tells which arrays it writes.
+    template <class Changes>
+    void poison_spare(const Changes& changes) const {
+        for (std::size_t i = 0; i < cell_array_count; ++i) {
+            if (changes(static_cast<CellArray>(i)))
+                session_.poison_buffer(spare_[i], planes_[i] * pitch_ * element_bytes(i));
+        }
+    }
+
     const cl::Buffer& built() const { return built_; }        // positions when the lists were built
     const cl::Buffer& place_of() const { return place_of_; }  // [id], as of the latest build
     const cl::Buffer& divides() const { return divides_; }    // [id], a bit for each `divide` rule
@@ -56,8 +66,10 @@ private:
 
     std::size_t element_bytes(std::size_t array) const;
     std::size_t bytes_per_cell() const;
-    cl::Buffer grown(const cl::Buffer&, std::size_t planes, std::size_t bytes, std::size_t pitch,
-                     const std::string& what) const;
+    // A buffer of planes of `pitch` elements that holds what `from` does, in planes of `from_pitch`.
+    cl::Buffer grown(const cl::Buffer& from, std::size_t from_pitch, std::size_t planes, std::size_t bytes,
+                     std::size_t pitch, const std::string& what) const;
+    void forget_torn();
     void check_memory(std::size_t cells) const;
 
     template <class T>
@@ -75,6 +87,8 @@ private:
     std::array<cl::Buffer, cell_array_count> now_;
     std::array<cl::Buffer, cell_array_count> spare_;
     cl::Buffer built_, place_of_, divides_, degrees_;
+    // Of each buffer, in the order of reserve(). They differ from pitch_ only when that could not be carried through.
+    std::array<std::size_t, 2 * cell_array_count + 4> pitches_{};
 };
 
 }  // namespace pelage

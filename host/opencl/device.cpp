@@ -46,6 +46,24 @@ std::string why_unusable(const cl::Device& device) {
     return "";
 }
 
+// The answer, or `fallback` from a driver that does not know the question.
+template <cl_device_info question, class Answer>
+Answer answer_or(const cl::Device& device, Answer fallback) {
+    try {
+        return device.getInfo<question>();
+    } catch (const cl::Error& error) {
+        if (error.err() != CL_INVALID_VALUE) throw;
+        return fallback;
+    }
+}
+
+// Work-items in a group along the first dimension.
+std::size_t largest_group(const cl::Device& device) {
+    const std::size_t items = device.getInfo<CL_DEVICE_MAX_WORK_GROUP_SIZE>();
+    const std::vector<std::size_t> sides = device.getInfo<CL_DEVICE_MAX_WORK_ITEM_SIZES>();
+    return sides.empty() ? items : std::min(items, sides.front());
+}
+
 void query(const cl::Device& device, DeviceInfo& info) {
     info.name = trimmed(device.getInfo<CL_DEVICE_NAME>());
     info.vendor = trimmed(device.getInfo<CL_DEVICE_VENDOR>());
@@ -55,13 +73,17 @@ void query(const cl::Device& device, DeviceInfo& info) {
     info.memory = device.getInfo<CL_DEVICE_GLOBAL_MEM_SIZE>();
     info.max_allocation = device.getInfo<CL_DEVICE_MAX_MEM_ALLOC_SIZE>();
     info.compute_units = device.getInfo<CL_DEVICE_MAX_COMPUTE_UNITS>();
-    info.max_work_group = device.getInfo<CL_DEVICE_MAX_WORK_GROUP_SIZE>();
+    info.max_work_group = largest_group(device);
     info.vector_width_float = std::max(1u, device.getInfo<CL_DEVICE_NATIVE_VECTOR_WIDTH_FLOAT>());
-    info.vector_width_double = device.getInfo<CL_DEVICE_NATIVE_VECTOR_WIDTH_DOUBLE>();
-    info.fp64 = device.getInfo<CL_DEVICE_DOUBLE_FP_CONFIG>() != 0;
+    info.vector_width_double = answer_or<CL_DEVICE_NATIVE_VECTOR_WIDTH_DOUBLE>(device, cl_uint{0});
+    info.fp64 = answer_or<CL_DEVICE_DOUBLE_FP_CONFIG>(device, cl_device_fp_config{0}) != 0;
     info.correctly_rounded_divide_sqrt =
         (device.getInfo<CL_DEVICE_SINGLE_FP_CONFIG>() & CL_FP_CORRECTLY_ROUNDED_DIVIDE_SQRT) != 0;
     info.unusable = why_unusable(device);
+}
+
+std::string failure_of(const cl::Error& error) {
+    return fmt::format("{} failed with {}", error.what(), cl_error_name(error.err()));
 }
 
 DeviceInfo describe(const cl::Device& device, const std::string& platform, const std::string& platform_version) {
@@ -74,9 +96,40 @@ DeviceInfo describe(const cl::Device& device, const std::string& platform, const
     } catch (const cl::Error& error) {
         if (info.name.empty()) info.name = "unknown";
         if (info.type.empty()) info.type = "other";
-        info.unusable = fmt::format("{} failed with {}", error.what(), cl_error_name(error.err()));
+        info.unusable = failure_of(error);
     }
     return info;
+}
+
+// For the devices of a platform that cannot be asked for them.
+DeviceInfo stand_in(const std::string& platform, const cl::Error& error) {
+    DeviceInfo info;
+    info.platform = platform;
+    info.name = "unknown";
+    info.type = "other";
+    info.unusable = failure_of(error);
+    return info;
+}
+
+std::vector<cl::Platform> list_platforms() {
+    constexpr cl_int none_there = -1001;  // CL_PLATFORM_NOT_FOUND_KHR: the loader's word for an empty list
+    std::vector<cl::Platform> platforms;
+    try {
+        cl::Platform::get(&platforms);
+    } catch (const cl::Error& error) {
+        if (error.err() != none_there) throw Error("OpenCL devices cannot be listed: " + failure_of(error));
+    }
+    return platforms;
+}
+
+std::vector<cl::Device> devices_of(const cl::Platform& platform) {
+    std::vector<cl::Device> devices;
+    try {
+        platform.getDevices(CL_DEVICE_TYPE_ALL, &devices);
+    } catch (const cl::Error& error) {
+        if (error.err() != CL_DEVICE_NOT_FOUND) throw;  // that says: none
+    }
+    return devices;
 }
 
 std::string listing(const std::vector<DeviceInfo>& devices) {
@@ -134,25 +187,22 @@ bool DeviceInfo::software_rasteriser() const {
            text.find("swrast") != std::string::npos || text.find("clover") != std::string::npos;
 }
 
+bool DeviceInfo::watches_memory() const { return platform == "Oclgrind"; }
+
 std::vector<DeviceInfo> list_devices() {
-    std::vector<cl::Platform> platforms;
-    try {
-        cl::Platform::get(&platforms);
-    } catch (const cl::Error&) {
-        return {};  // the loader reports "no platform" as an error
-    }
     std::vector<DeviceInfo> devices;
-    for (const cl::Platform& platform : platforms) {
+    std::vector<DeviceInfo> broken;  // last, so that they move nobody else's index
+    for (const cl::Platform& platform : list_platforms()) {
+        std::string name = "unknown";
         try {
-            const std::string name = trimmed(platform.getInfo<CL_PLATFORM_NAME>());
+            name = trimmed(platform.getInfo<CL_PLATFORM_NAME>());
             const std::string version = trimmed(platform.getInfo<CL_PLATFORM_VERSION>());
-            std::vector<cl::Device> found;
-            platform.getDevices(CL_DEVICE_TYPE_ALL, &found);
-            for (const cl::Device& device : found) devices.push_back(describe(device, name, version));
-        } catch (const cl::Error&) {
-            continue;  // no devices, or a broken driver: the other platforms still count
+            for (const cl::Device& device : devices_of(platform)) devices.push_back(describe(device, name, version));
+        } catch (const cl::Error& error) {
+            broken.push_back(stand_in(name, error));
         }
     }
+    devices.insert(devices.end(), broken.begin(), broken.end());
     for (std::size_t i = 0; i < devices.size(); ++i) devices[i].index = i;
     return devices;
 }
@@ -166,6 +216,7 @@ std::size_t choose_device(const std::vector<DeviceInfo>& devices, const std::opt
     };
     const std::size_t found = best(devices, fits);
     if (found < devices.size()) return found;
+    if (devices.empty() && word.empty()) throw Error(listing(devices));
     if (word.empty()) throw Error("no usable OpenCL device; " + listing(devices));
     throw Error(fmt::format("no usable OpenCL device is, or is named, '{}'; {}", word, listing(devices)));
 }

@@ -21,7 +21,7 @@ struct DeviceInfo {
     std::uint64_t memory = 0;          // bytes
     std::uint64_t max_allocation = 0;  // bytes in one buffer
     std::uint32_t compute_units = 0;
-    std::size_t max_work_group = 0;
+    std::size_t max_work_group = 0;        // work-items in a group that has one dimension
     std::uint32_t vector_width_float = 1;  // lanes the hardware has
     std::uint32_t vector_width_double = 0;
     bool fp64 = false;
@@ -31,15 +31,21 @@ struct DeviceInfo {
 
     // Draws by CPU behind a GPU driver's interface (llvmpipe, Clover): the last resort.
     bool software_rasteriser() const;
+
+    // Watches every access itself (Oclgrind): guard zones would hide from it what lies outside a buffer, and filling
+    // memory what was never written.
+    bool watches_memory() const;
 };
 
-// All devices of all platforms, in the loader's order. A platform that fails while being queried is left out and
-// does not hide the others; a device that fails is listed with the reason in `unusable`.
+// All devices of all platforms, in the loader's order. A device that fails while being queried is listed with the
+// reason in `unusable`; so is, at the end and by the name "unknown", a platform that fails. Throws Error when the
+// loader cannot even list platforms; none at all is no error.
 std::vector<DeviceInfo> list_devices();
 
 // The place in `devices` of the one that `wanted` names: an index, a type (gpu, cpu, accelerator) or a part of the
-// name in any case. Without `wanted`: the first usable GPU that is not a software rasteriser, else the first such CPU,
-// else accelerator, else whatever is usable. Throws Error listing what is there.
+// name in any case. Without `wanted`, and among those that a type or name fits: the first usable GPU that is not a
+// software rasteriser, else the first such CPU, else accelerator, else whatever is usable; so of two platforms with the
+// same device the first one's is taken, and an index says otherwise. Throws Error listing what is there.
 std::size_t choose_device(const std::vector<DeviceInfo>& devices, const std::optional<std::string>& wanted);
 
 // choose_device among list_devices(); without `wanted` the environment variable PELAGE_DEVICE is obeyed, if set.

@@ -17,23 +17,6 @@ bool reads_birth(const RuleUse& use) {
     return use.quantities.contains(Quantity::age) || use.quantities.contains(Quantity::birth);
 }
 
-// A field's elements after an expansion; see Insertion.
-template <class V>
-void insert(std::vector<V>& field, const Grid& grid, const Insertion& insertion) {
-    const Grid after = grid.grown(insertion.column);
-    std::vector<V> grown;
-    grown.reserve(after.cells());
-    for (std::size_t row = 0; row < after.rows; ++row) {
-        for (std::size_t column = 0; column < after.columns; ++column) {
-            const std::size_t pick = insertion.picks[insertion.column ? row : column];
-            const std::size_t x = insertion.column && column > pick ? column - 1 : column;
-            const std::size_t y = !insertion.column && row > pick ? row - 1 : row;
-            grown.push_back(field[y * grid.columns + x]);
-        }
-    }
-    field = std::move(grown);
-}
-
 // Cells lie 2 apart around the centre, rounded to float as the published program holds them.
 std::vector<double> centres(double origin, std::size_t count) {
     std::vector<double> values(count);
@@ -42,6 +25,12 @@ std::vector<double> centres(double origin, std::size_t count) {
         values[i] = static_cast<double>(static_cast<float>(origin + offset));
     }
     return values;
+}
+
+std::vector<double> rounded(const std::vector<double>& values, bool is_double) {
+    std::vector<double> result = values;
+    for (double& value : result) value = is_double ? value : double{static_cast<float>(value)};
+    return result;
 }
 
 // How many of the `reach` places around `at` lie within `count`, itself included.
@@ -62,7 +51,9 @@ LatticeState::LatticeState(const Session& session, const Experiment& experiment,
       birth_(session, "birth", reads_birth(use) ? 1 : 0, true),
       neighbours_(session, "neighbour counts", use.quantities.contains(Quantity::neighbours) ? 1 : 0, true),
       expander_(session),
-      kept_(initial) {
+      origin_x_(initial.origin_x),
+      origin_y_(initial.origin_y),
+      mirrors_(initial.mirrors) {
     conc_.upload(grid_, initial.conc);
     std::vector<std::vector<double>> rates;
     for (std::size_t i = 0; i < plan.rates.size(); ++i) {
@@ -75,23 +66,25 @@ LatticeState::LatticeState(const Session& session, const Experiment& experiment,
     mappings_.upload(grid_, initial.mappings);
     if (birth_.planes() > 0) birth_.upload(grid_, std::vector<std::vector<std::int32_t>>{initial.birth});
     if (neighbours_.planes() > 0) neighbours_.upload(grid_, std::vector<std::vector<std::int32_t>>{initial.neighbours});
-    for (auto* field : {&kept_.x, &kept_.y, &kept_.polarity_x, &kept_.polarity_y}) {
-        for (double& value : *field) value = session.is_double() ? value : double{static_cast<float>(value)};
+    if (polarity_.planes() == 0) {
+        kept_polarity_x_.take(rounded(initial.polarity_x, session.is_double()));
+        kept_polarity_y_.take(rounded(initial.polarity_y, session.is_double()));
     }
-    kept_.conc.clear();
-    kept_.diff.clear();
-    kept_.mappings.clear();
-    kept_.x.resize(grid_.columns);
-    for (std::size_t row = 0; row < grid_.rows; ++row) kept_.y[row] = kept_.y[row * grid_.columns];
-    kept_.y.resize(grid_.rows);
+    if (birth_.planes() == 0) kept_birth_.take(initial.birth);
+    if (neighbours_.planes() == 0) kept_neighbours_.take(initial.neighbours);
+    kept_fixed_.take(initial.fixed);
+    for (std::size_t column = 0; column < grid_.columns; ++column) x_.push_back(initial.x[column]);
+    for (std::size_t row = 0; row < grid_.rows; ++row) y_.push_back(initial.y[row * grid_.columns]);
+    x_ = rounded(x_, session.is_double());
+    y_ = rounded(y_, session.is_double());
     upload_places();
 }
 
 void LatticeState::upload_places() {
     const std::size_t count = grid_.pitch() + grid_.rows;
     std::vector<double> values(count, 0.0);
-    std::copy(kept_.x.begin(), kept_.x.end(), values.begin());
-    std::copy(kept_.y.begin(), kept_.y.end(), values.begin() + static_cast<std::ptrdiff_t>(grid_.pitch()));
+    std::copy(x_.begin(), x_.end(), values.begin());
+    std::copy(y_.begin(), y_.end(), values.begin() + static_cast<std::ptrdiff_t>(grid_.pitch()));
     if (count > places_capacity_) {
         places_capacity_ = count + count / 2;
         places_ = session_.buffer(places_capacity_ * session_.scalar_bytes(), "places");
@@ -99,8 +92,8 @@ void LatticeState::upload_places() {
     if (session_.is_double()) {
         session_.queue().enqueueWriteBuffer(places_, CL_TRUE, 0, count * 8, values.data());
     } else {
-        const std::vector<float> rounded(values.begin(), values.end());
-        session_.queue().enqueueWriteBuffer(places_, CL_TRUE, 0, count * 4, rounded.data());
+        const std::vector<float> singles(values.begin(), values.end());
+        session_.queue().enqueueWriteBuffer(places_, CL_TRUE, 0, count * 4, singles.data());
     }
 }
 
@@ -130,30 +123,32 @@ void LatticeState::counted() {
 }
 
 void LatticeState::expand(const Insertion& insertion) {
-    if (counted_ && neighbours_.planes() == 0) kept_.neighbours = count_neighbours();
+    if (counted_ && neighbours_.planes() == 0) kept_neighbours_.take(count_neighbours());
     counted_ = false;
     const Grid after = grid_.grown(insertion.column);
     expander_.prepare(insertion);
     for (Planes* planes : {&conc_, &rates_, &polarity_, &mappings_, &birth_, &neighbours_}) {
         if (planes->planes() > 0) planes->expand(expander_, grid_, after);
     }
-    if (polarity_.planes() == 0) {
-        insert(kept_.polarity_x, grid_, insertion);
-        insert(kept_.polarity_y, grid_, insertion);
-    }
-    if (birth_.planes() == 0) insert(kept_.birth, grid_, insertion);
-    if (neighbours_.planes() == 0) insert(kept_.neighbours, grid_, insertion);
-    insert(kept_.fixed, grid_, insertion);
+    kept_polarity_x_.insert(grid_, insertion);
+    kept_polarity_y_.insert(grid_, insertion);
+    kept_birth_.insert(grid_, insertion);
+    kept_neighbours_.insert(grid_, insertion);
+    kept_fixed_.insert(grid_, insertion);
     grid_ = after;
-    kept_.x = centres(kept_.origin_x, grid_.columns);
-    kept_.y = centres(kept_.origin_y, grid_.rows);
+    x_ = centres(origin_x_, grid_.columns);
+    y_ = centres(origin_y_, grid_.rows);
     upload_places();
 }
 
 Snapshot LatticeState::read() const {
-    Snapshot state = kept_;
+    const std::size_t cells = grid_.cells();
+    Snapshot state;
     state.columns = grid_.columns;
     state.rows = grid_.rows;
+    state.origin_x = origin_x_;
+    state.origin_y = origin_y_;
+    state.mirrors = mirrors_;
     state.conc = conc_.download<double>(grid_);
     auto rates = rates_.download<double>(grid_);
     for (std::size_t i = 0; i < plan_.rates.size(); ++i) {
@@ -162,20 +157,23 @@ Snapshot LatticeState::read() const {
         state.diff.push_back(own ? std::move(rates[rate_planes_[i]]) : std::vector<double>(grid_.cells(), rate));
     }
     state.mappings = mappings_.download<double>(grid_);
-    state.x.clear();
-    state.y.clear();
-    for (std::size_t cell = 0; cell < grid_.cells(); ++cell) {
-        state.x.push_back(kept_.x[cell % grid_.columns]);
-        state.y.push_back(kept_.y[cell / grid_.columns]);
+    for (std::size_t cell = 0; cell < cells; ++cell) {
+        state.x.push_back(x_[cell % grid_.columns]);
+        state.y.push_back(y_[cell / grid_.columns]);
     }
     if (polarity_.planes() > 0) {
         auto polarity = polarity_.download<double>(grid_);
         state.polarity_x = std::move(polarity[0]);
         state.polarity_y = std::move(polarity[1]);
+    } else {
+        state.polarity_x = kept_polarity_x_.of_all(cells);
+        state.polarity_y = kept_polarity_y_.of_all(cells);
     }
-    if (birth_.planes() > 0) state.birth = std::move(birth_.download<std::int32_t>(grid_)[0]);
-    if (neighbours_.planes() > 0) state.neighbours = std::move(neighbours_.download<std::int32_t>(grid_)[0]);
-    if (neighbours_.planes() == 0 && counted_) state.neighbours = count_neighbours();
+    state.birth = birth_.planes() > 0 ? birth_.download<std::int32_t>(grid_)[0] : kept_birth_.of_all(cells);
+    state.neighbours = neighbours_.planes() > 0 ? neighbours_.download<std::int32_t>(grid_)[0]
+                       : counted_               ? count_neighbours()
+                                                : kept_neighbours_.of_all(cells);
+    state.fixed = kept_fixed_.of_all(cells);
     return state;
 }
 

@@ -4,6 +4,7 @@
 #include "core/lattice.hpp"
 #include "core/snapshot.hpp"
 #include "opencl/emit_rules.hpp"
+#include "opencl/kept_field.hpp"
 #include "opencl/planes.hpp"
 
 #include <cstdint>
@@ -56,7 +57,13 @@ private:
     std::size_t places_capacity_ = 0;
     std::vector<double> uniform_rates_;
     bool counted_ = false;
-    Snapshot kept_;  // its fields that are not on the device; of x and y the first row and column
+    // What is not on the device; of x and y the first row and column.
+    std::vector<double> x_, y_;
+    double origin_x_, origin_y_;
+    KeptField<double> kept_polarity_x_, kept_polarity_y_;
+    KeptField<std::int32_t> kept_birth_, kept_neighbours_;
+    KeptField<std::uint8_t> kept_fixed_;
+    decltype(Snapshot::mirrors) mirrors_;
 };
 
 }  // namespace pelage

@@ -58,6 +58,8 @@ void DeviceLists::reserve(const Session& session, std::size_t at_least, int entr
             "allows {} MiB in one piece",
             wanted, wanted_capacity, bytes >> 20, session.info().name, session.info().max_allocation >> 20));
     }
+    points = 0;  // until all is there again
+    capacity = 0;
     entries = cl::Buffer();
     entries = session.buffer(bytes, "neighbour lists");
     lengths = session.buffer(blocks * 16 * sizeof(cl_int), "lengths of neighbour lists");

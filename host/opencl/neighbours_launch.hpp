@@ -43,10 +43,11 @@ private:
     cl_uint next_;
 };
 
-// At least `items` work-items in groups of `group`.
-inline void launch(const Session& session, const cl::Kernel& kernel, std::size_t items, std::size_t group = 1) {
+// At least `items` work-items in groups of `wanted`, or fewer where the device has a limit.
+inline void launch(const Session& session, const cl::Kernel& kernel, std::size_t items, std::size_t wanted = 1) {
+    const std::size_t group = std::min(wanted, std::max<std::size_t>(1, session.info().max_work_group));
     const std::size_t groups = std::max<std::size_t>(1, (items + group - 1) / group);
-    session.queue().enqueueNDRangeKernel(kernel, cl::NullRange, cl::NDRange(groups * group), cl::NDRange(group));
+    session.launch(kernel, cl::NDRange(groups * group), cl::NDRange(group));
 }
 
 }  // namespace pelage

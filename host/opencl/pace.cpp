@@ -1,15 +1,18 @@
 // See pace.hpp.
 #include "opencl/pace.hpp"
 
+#include <utility>
+
 namespace pelage {
 
 void Pace::launched() {
     ++launches_;
     if (launches_ % wait_every == 0) {
-        const cl::Event before = milestone_;
-        session_.queue().enqueueMarkerWithWaitList(nullptr, &milestone_);
+        cl::Event now;
+        session_.queue().enqueueMarkerWithWaitList(nullptr, &now);
         session_.queue().flush();
-        if (before() != nullptr) before.wait();
+        if (milestone_() != nullptr) milestone_.wait();
+        milestone_ = std::move(now);
     } else if (launches_ % flush_every == 0) {
         session_.queue().flush();
     }

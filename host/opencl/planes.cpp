@@ -1,6 +1,7 @@
 // See planes.hpp.
 #include "opencl/planes.hpp"
 
+#include "opencl/cl_error.hpp"
 #include "opencl/program.hpp"
 
 #include <algorithm>
@@ -45,11 +46,11 @@ void PlaneExpander::apply(const cl::Buffer& from, const cl::Buffer& to, const Gr
     kernel.setArg(7, static_cast<cl_int>(after.pitch()));
     kernel.setArg(8, static_cast<cl_int>(planes));
     const bool strips = session_.info().type == "cpu" && !session_.info().software_rasteriser();
-    const std::size_t width = strips ? 1 : 64;
+    const std::size_t width = strips ? 1 : std::clamp<std::size_t>(session_.info().max_work_group, 1, 64);
     const std::size_t across = strips ? 1 : (after.pitch() + width - 1) / width * width;
     const std::size_t up =
         strips ? std::min<std::size_t>(after.rows + 1, 4 * session_.info().compute_units) : after.rows + 1;
-    session_.queue().enqueueNDRangeKernel(kernel, cl::NullRange, cl::NDRange(across, up), cl::NDRange(width, 1));
+    session_.launch(kernel, cl::NDRange(across, up), cl::NDRange(width, 1));
 }
 
 Planes::Planes(const Session& session, std::string what, std::size_t planes, bool integers)
@@ -69,35 +70,71 @@ void Planes::clear(const cl::Buffer& buffer) const {
 
 void Planes::reserve(std::size_t elements) {
     if (elements <= capacity_) return;
-    const std::size_t roomy = capacity_ == 0 ? elements : std::max(elements, capacity_ + capacity_ / 2);
-    capacity_ = std::max(elements, std::min(roomy, session_.info().max_allocation / element_bytes()));
+    const std::size_t generous = capacity_ == 0 ? elements : std::max(elements, capacity_ + capacity_ / 2);
+    capacity_ = std::max(elements, std::min(generous, session_.info().max_allocation / element_bytes()));
     now_ = cl::Buffer();
     next_ = cl::Buffer();
-    now_ = zeroed();
+    now_ = roomy(elements);
+}
+
+// With room to grow into only where there is memory for it.
+cl::Buffer Planes::roomy(std::size_t needed) {
+    try {
+        return with_device(session_.info().name, [&] { return zeroed(); });
+    } catch (const Error&) {
+        if (capacity_ <= needed) throw;
+        capacity_ = needed;  // now_ may be larger
+        return zeroed();
+    }
 }
 
 const cl::Buffer& Planes::next() {
     if (next_() == nullptr) {
-        next_ = zeroed();
+        next_ = roomy(elements(grid_));
     } else if (next_stale_) {
         clear(next_);
     }
     next_stale_ = false;
+    if (session_.guarded()) poison_cells(next_);
     return next_;
+}
+
+void Planes::poison_cells(const cl::Buffer& buffer) const {
+    const std::size_t words = element_bytes() / sizeof poison;
+    std::vector<cl_uint> image(words * elements(grid_), 0);
+    for (std::size_t plane = 0; plane < planes_; ++plane) {
+        for (std::size_t row = 0; row < grid_.rows; ++row) {
+            std::fill_n(image.begin() + static_cast<std::ptrdiff_t>(words * cell_place(grid_, plane, row)),
+                        words * grid_.columns, poison);
+        }
+    }
+    session_.queue().enqueueWriteBuffer(buffer, CL_TRUE, 0, image.size() * sizeof poison, image.data());
+}
+
+void Planes::poison_planes(const cl::Buffer& buffer) const {
+    if (!session_.guarded()) return;
+    const std::size_t planes = planes_ * grid_.plane() * element_bytes();
+    session_.poison_buffer(buffer, elements(grid_) * element_bytes());
+    session_.queue().enqueueFillBuffer(buffer, cl_uint{0}, 0, 16 * element_bytes());
+    session_.queue().enqueueFillBuffer(buffer, cl_uint{0}, 16 * element_bytes() + planes, 32 * element_bytes());
 }
 
 void Planes::resize(const Grid& grid) {
     reserve(elements(grid));
+    grid_ = grid;
     next_stale_ = true;
 }
 
 void Planes::expand(PlaneExpander& expander, const Grid& before, const Grid& after) {
+    grid_ = after;
     if (elements(after) > capacity_) {
         const cl::Buffer old = now_;
         reserve(elements(after));
+        poison_planes(now_);
         expander.apply(old, now_, before, planes_, integers_);
     } else {
-        if (next_() == nullptr) next_ = zeroed();
+        if (next_() == nullptr) next_ = roomy(elements(after));
+        poison_planes(next_);
         expander.apply(now_, next_, before, planes_, integers_);
         swap();
         next_stale_ = true;

@@ -47,7 +47,7 @@ public:
 
     std::size_t planes() const { return planes_; }
     const cl::Buffer& now() const { return now_; }
-    const cl::Buffer& next();  // as large as now(), with zeros where a plane has no cells
+    const cl::Buffer& next();  // with zeros where a plane has no cells
     void swap() { std::swap(now_, next_); }
 
     void resize(const Grid&);  // contents are lost
@@ -65,13 +65,17 @@ private:
     std::size_t elements(const Grid& grid) const { return 16 + planes_ * grid.plane() + 32; }
     void reserve(std::size_t elements);
     cl::Buffer zeroed() const;
+    cl::Buffer roomy(std::size_t needed);
     void clear(const cl::Buffer&) const;
+    void poison_cells(const cl::Buffer&) const;   // and zeros between them
+    void poison_planes(const cl::Buffer&) const;  // and zeros before and behind them
 
     const Session& session_;
     std::string what_;
     std::size_t planes_;
     bool integers_;
-    std::size_t capacity_ = 0;  // elements
+    Grid grid_;
+    std::size_t capacity_ = 0;  // elements that both sets have room for
     bool next_stale_ = false;   // next_ is laid out for another grid
     cl::Buffer now_;
     cl::Buffer next_;

@@ -50,10 +50,17 @@ std::string keep_source(const std::string& source) {
         session.info().name, cl_error_name(error.err()), session.info().driver, options, keep_source(source), log));
 }
 
+// Not cl::Program::build(), which asks for the log even of a program that was built.
+void build(const Session& session, const cl::Program& program, const std::string& options) {
+    const cl_device_id device = session.device()();
+    const cl_int failure = clBuildProgram(program(), 1, &device, options.c_str(), nullptr, nullptr);
+    if (failure != CL_SUCCESS) throw cl::Error(failure, "clBuildProgram");
+}
+
 cl::Program from_source(const Session& session, const std::string& source, const std::string& options) {
     cl::Program program(session.context(), source);
     try {
-        program.build({session.device()}, options.c_str());
+        build(session, program, options);
     } catch (const cl::Error& error) {
         refuse(session, program, source, options, error);
     }
@@ -65,7 +72,7 @@ std::optional<cl::Program> from_cache(const Session& session, const CacheKey& ke
     if (!binary) return {};
     try {
         cl::Program program(session.context(), {session.device()}, {*binary});
-        program.build({session.device()}, options.c_str());
+        build(session, program, options);
         return program;
     } catch (const cl::Error&) {
         return {};  // the driver no longer likes it: the source does
@@ -121,10 +128,11 @@ Source& Source::text(const std::string& emitted) {
 
 cl::Program build_program(const Session& session, const std::string& source, const std::string& options) {
     return with_device(session.info().name, [&] {
-        if (!session.options().use_cache) return from_source(session, source, options);
         const DeviceInfo& info = session.info();
+        const bool kept_by_driver = info.platform == "Portable Computing Language" && !session.options().cache_twice;
+        if (!session.options().use_cache || kept_by_driver) return from_source(session, source, options);
         const CacheKey key{source, options, info.name, info.version, info.driver, info.platform_version};
-        if (auto program = from_cache(session, key, options)) return *program;
+        if (auto program = from_cache(session, key, options)) return std::move(*program);
         cl::Program program = from_source(session, source, options);
         keep_binary(program, key);
         return program;

@@ -15,6 +15,7 @@ Session::Session(DeviceInfo info, OpenclOptions options) : info_(std::move(info)
         device_ = cl::Device(static_cast<cl_device_id>(info_.id), true);
         context_ = cl::Context(device_);
         queue_ = cl::CommandQueue(context_, device_);
+        if (options_.guarded && !info_.watches_memory()) guards_ = std::make_unique<Guards>(context_, queue_, device_);
     });
 }
 
@@ -36,7 +37,31 @@ cl::Buffer Session::buffer(std::size_t bytes, const std::string& what, cl_mem_fl
         throw Error(fmt::format("the {} needs a buffer of {} bytes; device '{}' allows at most {}", what, size,
                                 info_.name, info_.max_allocation));
     }
-    return with_device(info_.name, [&] { return cl::Buffer(context_, flags, size); });
+    try {
+        return guards_ ? guards_->allocate(size, what, flags) : cl::Buffer(context_, flags, size);
+    } catch (const cl::Error& error) {
+        throw Error(
+            fmt::format("no buffer of {} bytes for the {}: {}", size, what, cl_failure(error, info_.name).what()));
+    }
+}
+
+void Session::launch(const cl::Kernel& kernel, const cl::NDRange& global, const cl::NDRange& local) const {
+    try {
+        queue_.enqueueNDRangeKernel(kernel, cl::NullRange, global, local);
+    } catch (const cl::Error& error) {
+        // A kernel may need so much that fewer work-items fit into a group than the device says. How they are grouped
+        // changes no result.
+        const cl::size_type items = local.get()[0];
+        if (error.err() != CL_INVALID_WORK_GROUP_SIZE || items <= 1) throw;
+        const cl::size_type fewer = items % 2 == 0 ? items / 2 : 1;
+        launch(kernel, global, local.dimensions() == 1 ? cl::NDRange(fewer) : cl::NDRange(fewer, 1));
+        return;
+    }
+    if (guards_) guards_->check(kernel.getInfo<CL_KERNEL_FUNCTION_NAME>());
+}
+
+void Session::poison_buffer(const cl::Buffer& buffer, std::size_t bytes) const {
+    if (guards_ && bytes > 0) queue_.enqueueFillBuffer(buffer, poison, 0, bytes);
 }
 
 }  // namespace pelage

@@ -4,7 +4,9 @@
 #include "opencl/backend.hpp"
 #include "opencl/cl.hpp"
 #include "opencl/device.hpp"
+#include "opencl/guards.hpp"
 
+#include <memory>
 #include <string>
 
 namespace pelage {
@@ -32,12 +34,20 @@ public:
     // Throws Error when one buffer of that many bytes cannot be had on the device. `what` names its contents.
     cl::Buffer buffer(std::size_t bytes, const std::string& what, cl_mem_flags flags = CL_MEM_READ_WRITE) const;
 
+    // Every launch goes through here. Guarded sessions wait for it and throw Error when a buffer's guard was written.
+    void launch(const cl::Kernel&, const cl::NDRange& global, const cl::NDRange& local) const;
+
+    // Guarded sessions fill with poison what a launch must write: what it leaves out then shows.
+    void poison_buffer(const cl::Buffer&, std::size_t bytes) const;
+    bool guarded() const { return guards_ != nullptr; }
+
 private:
     DeviceInfo info_;
     OpenclOptions options_;
     cl::Device device_;
     cl::Context context_;
     cl::CommandQueue queue_;
+    std::unique_ptr<Guards> guards_;  // none: not guarded
 };
 
 }  // namespace pelage

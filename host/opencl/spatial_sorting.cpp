@@ -10,6 +10,7 @@
 
 #include <algorithm>
 #include <iterator>
+#include <utility>
 
 namespace pelage {
 
@@ -60,11 +61,11 @@ void DeviceMatrix::update(const cl::Buffer& positions, int pitch, int cells) {
     const int places = side_ * side_;
     if (static_cast<std::size_t>(places) > capacity_) {
         const std::size_t room = static_cast<std::size_t>(places) * 5 / 4;
-        const cl::Buffer larger = session_.buffer(room * sizeof(cl_int), "sorted cells");
+        cl::Buffer larger = session_.buffer(room * sizeof(cl_int), "sorted cells");
         if (placed > 0) {
             session_.queue().enqueueCopyBuffer(cell_, larger, 0, 0, static_cast<std::size_t>(placed) * sizeof(cl_int));
         }
-        cell_ = larger;
+        cell_ = std::move(larger);
         x_ = session_.buffer(room * session_.scalar_bytes(), "sorted positions");
         y_ = session_.buffer(room * session_.scalar_bytes(), "sorted positions");
         capacity_ = room;
