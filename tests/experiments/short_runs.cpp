@@ -4,7 +4,7 @@
 #include "language/parse.hpp"
 #include "opencl/backend.hpp"
 #include "reference/backend.hpp"
-#include "support/compare.hpp"
+#include "verify/compare.hpp"
 
 #include <fmt/ranges.h>
 #include <catch2/catch.hpp>
@@ -29,10 +29,10 @@ bool run_briefly(const Experiment& experiment, Backend& reference, Backend& devi
     found->advance(3);
 
     const Snapshot after = expected->read();
-    const std::vector<std::string> lines = test::differences(after, found->read());
+    const std::vector<std::string> lines = verify::differences(after, found->read());
     INFO("from iteration " << start << ": " << fmt::format("{}", fmt::join(lines, "\n  ")));
     REQUIRE(lines.empty());
-    return !test::differences(before, after).empty();
+    return !verify::differences(before, after).empty();
 }
 
 // Part `part` of four, so that test runners can do them side by side.

@@ -56,6 +56,12 @@ void overwrite(const fs::path& file, std::size_t place, char byte) {
 
 const char* const triple = "kernel void f(global int* a) { a[get_global_id(0)] = 3 * (int)get_global_id(0); }";
 
+OpenclOptions keeping() {
+    OpenclOptions options;
+    options.cache_twice = true;
+    return options;
+}
+
 CacheKey key_of(const Session& session, const char* source) {
     const DeviceInfo& info = session.info();
     return {source, session.build_options(), info.name, info.version, info.driver, info.platform_version};
@@ -63,7 +69,7 @@ CacheKey key_of(const Session& session, const char* source) {
 
 // Builds and runs a program through the cache; true when it computed what it should.
 bool works() {
-    const Session session(select_device(), OpenclOptions{});
+    const Session session(select_device(), keeping());
     cl::Kernel kernel(session.build(triple), "f");
     const cl::Buffer buffer = session.buffer(64, "results");
     kernel.setArg(0, buffer);
@@ -132,7 +138,7 @@ TEST_CASE("no damaged byte and no lost end passes") {
 TEST_CASE("a program is kept, and built from source again where its entry is damaged") {
     const Folder folder;
     REQUIRE(works());
-    const CacheKey kept = key_of(Session(select_device(), OpenclOptions{}), triple);
+    const CacheKey kept = key_of(Session(select_device(), keeping()), triple);
     const fs::path file = cache_file(folder.path, kept);
     REQUIRE(folder.files() == std::vector<fs::path>{file});
     REQUIRE(works());
@@ -150,7 +156,7 @@ TEST_CASE("a program is kept, and built from source again where its entry is dam
 
 TEST_CASE("an entry that the driver refuses falls back to the source") {
     const Folder folder;
-    const Session session(select_device(), OpenclOptions{});
+    const Session session(select_device(), keeping());
     const char* const source = "kernel void f(global int* a) { a[0] = 1; }";
     const CacheKey same = key_of(session, source);
     store_cached(folder.path, same, binary);  // sound as a file, nonsense as a program

@@ -1,5 +1,5 @@
 // The comparators themselves: they must see the smallest difference, and mistrust what proves nothing.
-#include "support/compare.hpp"
+#include "verify/compare.hpp"
 
 #include <catch2/catch.hpp>
 
@@ -8,7 +8,7 @@
 #include <limits>
 
 using pelage::Snapshot;
-using namespace test;
+using namespace pelage::verify;
 
 namespace {
 

@@ -2,6 +2,7 @@
 #include "lattice_run.hpp"
 
 using namespace pelage;
+using namespace pelage::verify;
 using namespace test;
 
 namespace {

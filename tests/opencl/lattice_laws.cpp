@@ -3,12 +3,13 @@
 #include "lattice_run.hpp"
 
 #include "core/growth.hpp"
-#include "support/lab.hpp"
+#include "verify/lab.hpp"
 
 #include <cmath>
 #include <limits>
 
 using namespace pelage;
+using namespace pelage::verify;
 using namespace test;
 
 namespace {

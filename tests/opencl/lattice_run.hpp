@@ -4,8 +4,8 @@
 #include "core/prepattern.hpp"
 #include "opencl/backend.hpp"
 #include "reference/backend.hpp"
-#include "support/cases.hpp"
-#include "support/compare.hpp"
+#include "verify/cases.hpp"
+#include "verify/compare.hpp"
 
 #include <fmt/ranges.h>
 #include <catch2/catch.hpp>
@@ -13,6 +13,8 @@
 #include <memory>
 
 namespace test {
+
+using namespace pelage::verify;
 
 inline pelage::Snapshot first_state(const Case& one, const pelage::Experiment& experiment) {
     pelage::Snapshot state = pelage::initial_state(experiment);

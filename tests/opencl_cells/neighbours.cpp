@@ -1,7 +1,7 @@
 // Neighbour sets from the device against brute force and the reference's k-d tree: equal, not nearly.
 #include "opencl/neighbours.hpp"
 #include "core/error.hpp"
-#include "opencl_cells/support_points.hpp"
+#include "verify/points.hpp"
 #include "reference/neighbours.hpp"
 #include "support/opencl_session.hpp"
 
@@ -15,14 +15,14 @@ using namespace pelage;
 namespace {
 
 template <class T>
-Neighbours by_tree(const test::Points& points, double radius) {
+Neighbours by_tree(const verify::Points& points, double radius) {
     const std::vector<T> x(points.x.begin(), points.x.end());
     const std::vector<T> y(points.y.begin(), points.y.end());
     return neighbours_exact<T>(x, y, static_cast<T>(radius));
 }
 
 template <class T>
-Neighbours by_force(const test::Points& points, T radius) {
+Neighbours by_force(const verify::Points& points, T radius) {
     Neighbours found{{0}, {}};
     for (std::size_t i = 0; i < points.size(); ++i) {
         for (std::size_t j = 0; j < points.size(); ++j) {
@@ -46,7 +46,7 @@ NeighbourTuning many_chunks() {
     return tuning;
 }
 
-void check_against_tree(const test::Points& points) {
+void check_against_tree(const verify::Points& points) {
     const Neighbours expected = by_tree<float>(points, 3);
 
     const Neighbours found = opencl_neighbours(test::session(), points.x, points.y);
@@ -61,19 +61,19 @@ TEST_CASE("neighbour sets of thousands of points equal the k-d tree's") {
     const std::size_t count = GENERATE(6000u, 20000u, 100000u);
     CAPTURE(count);
 
-    check_against_tree(test::hexagonal(count));
-    check_against_tree(test::jittered(count, 1));
-    check_against_tree(test::uniform(count, 2));
-    check_against_tree(test::clustered(count, 3));
-    check_against_tree(test::shuffled(test::jittered(count, 4), 5));
+    check_against_tree(verify::hexagonal(count));
+    check_against_tree(verify::jittered(count, 1));
+    check_against_tree(verify::uniform(count, 2));
+    check_against_tree(verify::clustered(count, 3));
+    check_against_tree(verify::shuffled(verify::jittered(count, 4), 5));
 }
 
-TEST_CASE("neighbour sets of a million points equal the k-d tree's") { check_against_tree(test::jittered(1000000, 6)); }
+TEST_CASE("neighbour sets of a million points equal the k-d tree's") { check_against_tree(verify::jittered(1000000, 6)); }
 
 TEST_CASE("neighbour sets of sharp sizes equal brute force") {
     const std::size_t count = GENERATE(1u, 2u, 3u, 7u, 15u, 16u, 17u, 31u, 33u, 63u, 64u, 65u, 127u, 257u, 1021u);
     const double side = GENERATE(2.0, 9.0, 60.0);
-    const test::Points points = test::crowd(count, side, static_cast<std::uint32_t>(count));
+    const verify::Points points = verify::crowd(count, side, static_cast<std::uint32_t>(count));
     CAPTURE(count, side);
 
     CHECK(opencl_neighbours(test::session(), points.x, points.y) == by_force<float>(points, 3));
@@ -87,7 +87,7 @@ TEST_CASE("no points have no neighbours") {
 }
 
 TEST_CASE("points exactly at the radius are no neighbours") {
-    const test::Points points = test::square_at_radius(40);
+    const verify::Points points = verify::square_at_radius(40);
 
     const Neighbours at = opencl_neighbours(test::session(), points.x, points.y, 3);
     const Neighbours wider = opencl_neighbours(test::session(), points.x, points.y, 3.0001);
@@ -107,7 +107,7 @@ TEST_CASE("two points at one place are neighbours of each other and not of thems
 }
 
 TEST_CASE("all points in one bin are each other's neighbours") {
-    const test::Points points = test::crowd(1500, 2, 7);
+    const verify::Points points = verify::crowd(1500, 2, 7);
 
     const Neighbours found = opencl_neighbours(test::session(), points.x, points.y);
 
@@ -116,8 +116,8 @@ TEST_CASE("all points in one bin are each other's neighbours") {
 }
 
 TEST_CASE("a line of points, along either axis") {
-    const test::Points along_x = test::line(50000);
-    const test::Points along_y{along_x.y, along_x.x};
+    const verify::Points along_x = verify::line(50000);
+    const verify::Points along_y{along_x.y, along_x.x};
 
     check_against_tree(along_x);
     check_against_tree(along_y);
@@ -126,7 +126,7 @@ TEST_CASE("a line of points, along either axis") {
 TEST_CASE("coordinates far from zero") {
     const double far = GENERATE(-1e4, 1e6, -3e7);
     CAPTURE(far);
-    const test::Points points = test::moved(test::jittered(20000, 8), far, -2 * far);
+    const verify::Points points = verify::moved(verify::jittered(20000, 8), far, -2 * far);
 
     CHECK(opencl_neighbours(test::session(), points.x, points.y) == by_tree<float>(points, 3));
 }
@@ -134,7 +134,7 @@ TEST_CASE("coordinates far from zero") {
 TEST_CASE("a few points far away from many do not change their neighbours") {
     const double far = GENERATE(1e4, 1e7, 1e30, 3e38);
     CAPTURE(far);
-    test::Points points = test::jittered(20000, 9);
+    verify::Points points = verify::jittered(20000, 9);
     points.add(far, -far);
     points.add(-far, far);
     points.add(far, far / 2);
@@ -143,14 +143,14 @@ TEST_CASE("a few points far away from many do not change their neighbours") {
 }
 
 TEST_CASE("more than 65,535 points in one bin") {
-    test::Points points = test::jittered(70000, 10);
+    verify::Points points = verify::jittered(70000, 10);
     points.add(1e30, 1e30);  // bins of this size hold all others
 
     CHECK(opencl_neighbours(test::session(), points.x, points.y) == by_tree<float>(points, 3));
 }
 
 TEST_CASE("a point without a finite place has no neighbours and disturbs none") {
-    test::Points points = test::jittered(500, 11);
+    verify::Points points = verify::jittered(500, 11);
     points.x[10] = std::numeric_limits<double>::quiet_NaN();
     points.y[20] = std::numeric_limits<double>::infinity();
     points.x[499] = -std::numeric_limits<double>::infinity();
@@ -162,7 +162,7 @@ TEST_CASE("a point without a finite place has no neighbours and disturbs none") 
 }
 
 TEST_CASE("the shape of the work changes no neighbour set") {
-    const test::Points points = test::shuffled(test::clustered(9000, 12), 13);
+    const verify::Points points = verify::shuffled(verify::clustered(9000, 12), 13);
     NeighbourTuning tuning = many_chunks();
     const Neighbours expected = by_tree<float>(points, 3);
 
@@ -177,7 +177,7 @@ TEST_CASE("the shape of the work changes no neighbour set") {
 TEST_CASE("other radii, and double precision") {
     const double radius = GENERATE(0.25, 1.5, 4.0, 11.0);
     CAPTURE(radius);
-    const test::Points points = test::uniform(3000, 14);
+    const verify::Points points = verify::uniform(3000, 14);
 
     CHECK(opencl_neighbours(test::session(), points.x, points.y, radius) ==
           by_force(points, static_cast<float>(radius)));

@@ -3,7 +3,7 @@
 #include "core/error.hpp"
 #include "core/prepattern.hpp"
 #include "opencl/neighbours.hpp"
-#include "opencl_cells/support_points.hpp"
+#include "verify/points.hpp"
 #include "reference/cells.hpp"
 #include "reference/spatial_sorting.hpp"
 #include "support/free_cells.hpp"
@@ -22,7 +22,7 @@ class Matrix {
 public:
     explicit Matrix(SpatialSorting settings) : matrix_(test::session(), settings) {}
 
-    void update(const test::Points& points, std::size_t count) {
+    void update(const verify::Points& points, std::size_t count) {
         const std::size_t pitch = points.size() + 32;
         std::vector<float> planes(2 * pitch);
         std::vector<cl_int> ids(pitch);
@@ -57,7 +57,7 @@ private:
     cl::Buffer ids_;
 };
 
-void check_equal(const test::Points& points, SpatialSorting settings) {
+void check_equal(const verify::Points& points, SpatialSorting settings) {
     reference::SortedMatrix<float> expected(settings);
     Matrix found(settings);
     const std::vector<float> x(points.x.begin(), points.x.end());
@@ -84,20 +84,20 @@ TEST_CASE("spatial sorting on the device orders and finds as the reference does"
     const std::size_t rounds = GENERATE(0u, 1u, 11u);
     CAPTURE(window, rounds);
 
-    check_equal(test::shuffled(test::jittered(1021, 21), 22), {window, rounds});
+    check_equal(verify::shuffled(verify::jittered(1021, 21), 22), {window, rounds});
 }
 
 TEST_CASE("spatial sorting of sharp sizes, coinciding and far points") {
     const std::size_t count = GENERATE(3u, 4u, 5u, 9u, 10u, 16u, 17u, 65u);
 
-    check_equal(test::crowd(count, 8, 23), {});
-    check_equal(test::moved(test::square_at_radius(9), -4e5, 3e5), {});
-    check_equal(test::Points{{1, 1, 1, 1, 1, 1}, {2, 2, 2, 2, 2, 2}}, {});
+    check_equal(verify::crowd(count, 8, 23), {});
+    check_equal(verify::moved(verify::square_at_radius(9), -4e5, 3e5), {});
+    check_equal(verify::Points{{1, 1, 1, 1, 1, 1}, {2, 2, 2, 2, 2, 2}}, {});
 }
 
 TEST_CASE("spatial sorting misses neighbours of a scattered tissue, and says how many") {
     Matrix matrix({});
-    const test::Points points = test::uniform(4000, 24);
+    const verify::Points points = verify::uniform(4000, 24);
 
     matrix.update(points, points.size());
 

@@ -3,7 +3,7 @@
 #include "language/parse.hpp"
 #include "opencl/backend.hpp"
 #include "reference/backend.hpp"
-#include "support/compare.hpp"
+#include "verify/compare.hpp"
 #include "support/shared.hpp"
 
 #include <fmt/ranges.h>
@@ -47,7 +47,7 @@ void check_share(std::size_t share) {
         expected->advance(iterations);
         found->advance(iterations);
 
-        const std::vector<std::string> lines = test::differences(expected->read(), found->read());
+        const std::vector<std::string> lines = verify::differences(expected->read(), found->read());
         INFO(fmt::format("{}", fmt::join(lines, "\n  ")));
         CHECK(lines.empty());
     }

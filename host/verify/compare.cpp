@@ -1,5 +1,5 @@
 // See compare.hpp.
-#include "support/compare.hpp"
+#include "verify/compare.hpp"
 
 #include <fmt/format.h>
 
@@ -9,7 +9,7 @@
 #include <concepts>
 #include <cstdint>
 
-namespace test {
+namespace pelage::verify {
 
 namespace {
 
@@ -67,7 +67,7 @@ public:
 
 }  // namespace
 
-std::vector<std::string> differences(const pelage::Snapshot& expected, const pelage::Snapshot& found) {
+std::vector<std::string> differences(const Snapshot& expected, const Snapshot& found) {
     Comparison comparison;
     comparison.arrays("shape", std::vector<std::uint64_t>{expected.iteration, expected.columns, expected.rows},
                       std::vector<std::uint64_t>{found.iteration, found.columns, found.rows});
@@ -87,7 +87,7 @@ std::vector<std::string> differences(const pelage::Snapshot& expected, const pel
     return comparison.lines;
 }
 
-std::vector<std::string> mistrusted(const pelage::Snapshot& before, const pelage::Snapshot& after) {
+std::vector<std::string> mistrusted(const Snapshot& before, const Snapshot& after) {
     std::vector<std::string> lines;
     for (std::size_t chemical = 0; chemical < after.conc.size(); ++chemical) {
         const std::vector<double>& values = after.conc[chemical];
@@ -100,4 +100,4 @@ std::vector<std::string> mistrusted(const pelage::Snapshot& before, const pelage
     return lines;
 }
 
-}  // namespace test
+}  // namespace pelage::verify

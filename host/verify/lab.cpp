@@ -1,9 +1,7 @@
 // See lab.hpp.
-#include "support/lab.hpp"
+#include "verify/lab.hpp"
 
-namespace test {
-
-using namespace pelage;
+namespace pelage::verify {
 
 namespace {
 
@@ -112,4 +110,4 @@ Change change_rate(std::size_t chemical, Operand amount, double deviation) {
     return {Target::rate, chemical, amount, deviation};
 }
 
-}  // namespace test
+}  // namespace pelage::verify

@@ -6,13 +6,13 @@
 #include <string>
 #include <vector>
 
-namespace test {
+namespace pelage::verify {
 
 // One line for each array that differs in any bit: its name, how many elements, the first of them with both values.
 // +0 and -0 differ; a NaN differs from everything, itself included. Empty: equal.
-std::vector<std::string> differences(const pelage::Snapshot& expected, const pelage::Snapshot& found);
+std::vector<std::string> differences(const Snapshot& expected, const Snapshot& found);
 
 // One line for each chemical that is flat or as it was before.
-std::vector<std::string> mistrusted(const pelage::Snapshot& before, const pelage::Snapshot& after);
+std::vector<std::string> mistrusted(const Snapshot& before, const Snapshot& after);
 
-}  // namespace test
+}  // namespace pelage::verify

@@ -1,12 +1,12 @@
-// See support_points.hpp.
-#include "opencl_cells/support_points.hpp"
+// See points.hpp.
+#include "verify/points.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <numeric>
 #include <random>
 
-namespace test {
+namespace pelage::verify {
 
 namespace {
 
@@ -101,4 +101,4 @@ Points shuffled(Points points, std::uint32_t seed) {
     return result;
 }
 
-}  // namespace test
+}  // namespace pelage::verify

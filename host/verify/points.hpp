@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-namespace test {
+namespace pelage::verify {
 
 struct Points {
     std::vector<double> x, y;
@@ -30,4 +30,4 @@ Points crowd(std::size_t count, double side, std::uint32_t seed);  // uniform in
 Points moved(Points, double dx, double dy);
 Points shuffled(Points, std::uint32_t seed);
 
-}  // namespace test
+}  // namespace pelage::verify

@@ -1,16 +1,14 @@
 // See cases.hpp: the table, and its cases of diffusion, reactions and rates.
-#include "support/cases.hpp"
+#include "verify/cases.hpp"
 
-#include "support/lab.hpp"
+#include "verify/lab.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <stdexcept>
 
-namespace test {
-
-using namespace pelage;
+namespace pelage::verify {
 
 const char* word(Boundary boundary) {
     switch (boundary) {
@@ -139,7 +137,8 @@ std::vector<Case> diffusion_cases() {
 std::vector<Case> reaction_cases() {
     const auto fused = [](Size size) { return reacting(Lab::matrix(size.columns, size.rows, Boundary::no_flux)); };
     const auto published = [](Size size) { return reacting(Lab::grid(size.columns, size.rows, true)); };
-    return {{"reaction/fused", fused, few_sizes(), 100, {}}, {"reaction/published", published, few_sizes(), 100, {}}};
+    return {{"reaction/fused", fused, few_sizes(), 100, {}, false, true},
+            {"reaction/published", published, few_sizes(), 100, {}, false, true}};
 }
 
 std::vector<Case> rate_cases() {
@@ -147,10 +146,10 @@ std::vector<Case> rate_cases() {
     const std::vector<Size> sizes{{1, 6}, {7, 1}, {2, 2}, {3, 5}, {18, 17}, {67, 23}};
     const auto add = [&](const std::string& name, const std::function<Lab(Size)>& lab, bool with_uneven) {
         const auto turning = [lab](Size size) { return polarized(lab(size)); };
-        cases.push_back({"rates/polarized/" + name, turning, sizes, 60, {}});
+        cases.push_back({"rates/polarized/" + name, turning, sizes, 60, {}, false, true});
         if (!with_uneven) return;
         const auto fixed = [lab](Size size) { return uneven(lab(size)); };
-        cases.push_back({"rates/uneven/" + name, fixed, sizes, 60, uneven_touch});
+        cases.push_back({"rates/uneven/" + name, fixed, sizes, 60, uneven_touch, false, true});
     };
     for (const Stencil stencil : stencils) {
         for (const Boundary boundary : boundaries) {
@@ -169,7 +168,8 @@ std::vector<Case> rate_cases() {
 const std::vector<Case>& lattice_cases() {
     static const std::vector<Case> table = [] {
         std::vector<Case> cases;
-        for (const auto& part : {diffusion_cases(), reaction_cases(), rate_cases(), rule_cases(), growth_cases()}) {
+        for (const auto& part :
+             {diffusion_cases(), reaction_cases(), rate_cases(), rule_cases(), growth_cases(), extreme_cases()}) {
             cases.insert(cases.end(), part.begin(), part.end());
         }
         return cases;
@@ -184,4 +184,4 @@ const Case& lattice_case(const std::string& name) {
     throw std::out_of_range("no lattice case is named " + name);
 }
 
-}  // namespace test
+}  // namespace pelage::verify

@@ -10,7 +10,7 @@
 #include <string>
 #include <vector>
 
-namespace test {
+namespace pelage::verify {
 
 struct Size {
     std::size_t columns = 1;
@@ -19,15 +19,16 @@ struct Size {
 
 struct Case {
     std::string name;
-    std::function<pelage::Experiment(Size)> experiment;
+    std::function<Experiment(Size)> experiment;
     std::vector<Size> sizes;
     std::uint64_t iterations = 100;
-    std::function<void(pelage::Snapshot&)>
-        touch;           // changes the first state to what no prepattern can make; may be empty
-    bool grows = false;  // expands: compare after every iteration
+    std::function<void(Snapshot&)> touch = {};  // changes the first state to what no prepattern can make; may be empty
+    bool grows = false;                         // expands: compare after every iteration
+    bool divides = false;  // divides or takes square roots: exact only where the device rounds these correctly
 };
 
-// The table, in order of name parts: "diffusion/...", "reaction/...", "rates/...", "rules/...", "growth/...".
+// The table, in order of name parts: "diffusion/...", "saturation/...", "reaction/...", "rates/...", "rules/...",
+// "growth/...", "values/...", "sizes/...".
 const std::vector<Case>& lattice_cases();
 
 // The case of that name. Throws std::out_of_range.
@@ -39,12 +40,13 @@ std::vector<Case> reaction_cases();
 std::vector<Case> rate_cases();
 std::vector<Case> rule_cases();
 std::vector<Case> growth_cases();
+std::vector<Case> extreme_cases();  // saturation, special values, sizes
 
 // 1x1, lines, tiny rectangles, around a vector's and a work-group's width, primes.
 std::vector<Size> sharp_sizes();
 std::vector<Size> few_sizes();  // some of them
 
-const char* word(pelage::Boundary);
-const char* word(pelage::Stencil);
+const char* word(Boundary);
+const char* word(Stencil);
 
-}  // namespace test
+}  // namespace pelage::verify

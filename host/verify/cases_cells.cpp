@@ -1,0 +1,70 @@
+// See cases_cells.hpp.
+#include "verify/cases_cells.hpp"
+
+namespace pelage::verify {
+
+// Chemicals whose values, rates and places differ from cell to cell.
+const std::string cell_tissue = R"(
+define chemical A limit 6
+define chemical B
+define chemical C anisotropic
+use seed 3
+use chemical A conc 3 dev 2 diff 0.05 dev 0.02
+use chemical B conc 2 dev 1 diff 0.02
+use chemical C conc 1 dev 1 diff 0.04
+use polarity 30 dev 60
+create hex_grid 13 11 dev 0.3
+use polarity none
+create hex_circle 4 at 30 5 fixed
+)";
+
+const std::vector<CellCase>& cell_cases() {
+    static const std::vector<CellCase> table{
+        {"cells/diffusion-and-collision-alone", ""},
+        {"cells/turing", "rule always react A B scale 0.01 turing alpha 16 beta 12\n"},
+        {"cells/gray-scott", "rule always react A B scale 0.01 gray-scott f 0.03 k 0.06\n"},
+        {"cells/linear",
+         "rule always react A B scale 0.1 linear au 0.08 bu -0.08 cu 0.2 du 0.03 mu 0.2 av 0.1 "
+         "bv 0 cv -0.15 dv 0.06 mv "
+         "0.5\n"},
+        {"cells/gm1", "rule always react A B scale 0.01 gm1 a 0.1 b 0.2 c 0.3\n"},
+        {"cells/cubic", "rule always react A B scale 0.01 cubic a 0 b 2 c 5\n"},
+        {"cells/reinforcement", "rule always react A scale 0.1 reinforcement threshold 3 width 1\n"},
+        {"cells/several-chemicals-in-one-reactions-parameters",
+         "rule always react A B scale C conc turing alpha B diff beta 12\n"},
+        {"cells/change-and-its-deviation",
+         "rule every 3 offset 1 if A conc > 3 change B conc 0.25 dev 0.1\n"
+         "rule probability 0.1 change A diff -0.01\n"},
+        {"cells/set", "rule if NEIGHBORS > 5 set A conc B conc\nrule if AGE in 4 9 set B diff 0.03\n"},
+        {"cells/map",
+         "rule always map X -10 10 to M 0 1\nrule always map A conc 1 5 to N 3 2\n"
+         "rule always change A conc M\nrule if N < 2.5 change B diff 0.001\n"},
+        {"cells/and",
+         "rule if A conc > 2 and\nrule if B conc < 3 and\nrule probability 0.5 change C conc 0.125\n"
+         "rule until 5 always and\nrule always change B conc 0.01\n"},
+        {"cells/random-operands",
+         "rule if RANDOM < 0.5 change A conc RANDOM dev 0.2\nrule always change B conc RANDOM\n"},
+        {"cells/polarize", "rule always polarize A conc\n"},
+        {"cells/polarize-by-several-chemicals",
+         "rule always polarize A conc\nrule if B conc > 2 polarize C conc\n"
+         "rule probability 0.3 polarize B conc\n"},
+        {"cells/move", "rule always move 0.05 dev 0.02\nrule if Y > 0 move A conc\n"},
+        {"cells/divide-in-several-ways",
+         "rule probability 0.02 divide direction 45 dev 20\nrule if A conc > 4.9 and\n"
+         "rule probability 0.1 divide\nrule if AGE == 7 divide direction A conc\n"},
+        {"cells/divide-while-polarized", "rule always polarize A conc\nrule probability 0.03 divide direction 90\n"},
+        {"cells/divide-while-mapped",
+         "rule always map A conc 0 6 to M 0 360\nrule probability 0.03 divide direction M\n"},
+        {"cells/division-limit", "define division_limit 5\nrule probability 0.2 divide direction 0 dev 180\n"},
+        {"cells/packed-domain", "define domain packed area 3\nrule probability 0.02 divide direction 0 dev 180\n"},
+        {"cells/narrow-domain", "define domain 20 12\n"},
+        {"cells/rules-that-come-and-go",
+         "rule from 3 until 8 always change A conc 0.01\nrule from 5 always change B conc 0.02\n"
+         "rule every 2 always change C conc 0.03\nrule every 7 offset 3 probability 0.5 divide\n"},
+        {"cells/phases",
+         "phase \"one\" 6\nrule always change A conc 0.1\nphase \"two\" 9\ndefine time_step 0.5\n"
+         "use chemical B diff 0.07\ndefine chemical A limit 5 floor 1\nrule every 2 always change B conc 0.1\n"}};
+    return table;
+}
+
+}  // namespace pelage::verify

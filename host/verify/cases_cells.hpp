@@ -1,0 +1,23 @@
+// One table of experiments with free cells, for tests, verification and benchmarks.
+#pragma once
+
+#include <string>
+#include <vector>
+
+namespace pelage::verify {
+
+// An irregular tissue with three chemicals; names no file.
+extern const std::string cell_tissue;
+
+struct CellCase {
+    std::string name;
+    std::string lines;  // what the case adds to cell_tissue
+
+    std::string text() const { return cell_tissue + lines; }
+    bool divides() const { return lines.find(" divide") != std::string::npos; }
+};
+
+// "cells/...": one feature each.
+const std::vector<CellCase>& cell_cases();
+
+}  // namespace pelage::verify

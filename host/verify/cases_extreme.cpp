@@ -1,0 +1,116 @@
+// See cases.hpp: bounds of every kind, values at the ends of what a float can hold, and sizes beyond 16 bits.
+#include "verify/cases.hpp"
+#include "verify/lab.hpp"
+
+#include <fmt/format.h>
+
+#include <array>
+#include <limits>
+
+namespace pelage::verify {
+
+namespace {
+
+constexpr double infinite = std::numeric_limits<double>::infinity();
+
+// The same reaction and diffusion under every kind of bounds; all but the last are reached.
+Experiment saturated(Lab lab) {
+    const std::array<Bounds, 6> kinds{
+        {{3.5, infinite}, {-infinite, 4.5}, {3.75, 4.25}, {0, 4}, {-4, 4.75}, {-1e30, 1e30}}};
+    for (std::size_t i = 0; i < kinds.size(); ++i) {
+        const auto u = lab.chemical(fmt::format("U{}", i), {4, 1.5}, {0.4, 0}, kinds[i]);
+        const auto v = lab.chemical(fmt::format("V{}", i), {4, 1.5}, {0.02, 0}, unbounded);
+        lab.rule(react(Model::turing, u, v, {16, 12}));
+    }
+    return lab.time_step(0.02).done();
+}
+
+// Sums and products alone: their results are defined whatever goes in.
+Experiment plain_arithmetic(Lab lab) {
+    const auto u = lab.chemical("U", {1, 0.5}, {0.25, 0}, unbounded);
+    const auto v = lab.chemical("V", {1, 0.5}, {0, 0}, {-infinite, 1e38});
+    const auto w = lab.chemical("W", {1, 0.5}, {0, 0}, unbounded);
+    lab.rule(change(v, quantity(Quantity::concentration, u)));
+    lab.rule(
+        change(w, quantity(Quantity::concentration, v)),
+        compare(quantity(Quantity::concentration, w), Comparison::less_equal, quantity(Quantity::concentration, v)));
+    return lab.time_step(0.5).done();
+}
+
+constexpr std::size_t apart = 29;  // few cells: what spreads from them must leave others alone
+
+void special_values(Snapshot& state) {
+    using Limits = std::numeric_limits<float>;
+    const std::array<float, 12> values{0.0f,
+                                       -0.0f,
+                                       Limits::denorm_min(),
+                                       -Limits::denorm_min(),
+                                       3 * Limits::denorm_min(),
+                                       Limits::min(),
+                                       -Limits::min() / 2,
+                                       Limits::max(),
+                                       -Limits::max(),
+                                       Limits::infinity(),
+                                       -Limits::infinity(),
+                                       Limits::quiet_NaN()};
+    for (std::size_t chemical = 0; chemical < state.conc.size(); ++chemical) {
+        for (std::size_t cell = chemical; cell < state.cells(); cell += apart) {
+            state.conc[chemical][cell] = static_cast<double>(values[cell / apart % values.size()]);
+        }
+    }
+}
+
+void tiny_values(Snapshot& state) {
+    constexpr double step = static_cast<double>(std::numeric_limits<float>::denorm_min());
+    for (auto& plane : state.conc) {
+        for (std::size_t cell = 0; cell < plane.size(); ++cell) {
+            plane[cell] = step * static_cast<double>((cell * 2654435761u) % 1'000'003);
+        }
+    }
+}
+
+Experiment spreading(Lab lab) {
+    lab.chemical("U", {4, 1}, {0.5, 0}, unbounded);
+    lab.chemical("V", {4, 1}, {0.25, 0}, {3.25, 4.75});
+    return lab.time_step(0.25).done();
+}
+
+}  // namespace
+
+std::vector<Case> extreme_cases() {
+    const auto matrix = [](Experiment (*make)(Lab), Boundary boundary) {
+        return [=](Size size) { return make(Lab::matrix(size.columns, size.rows, boundary)); };
+    };
+    const auto grid = [](Experiment (*make)(Lab)) {
+        return [=](Size size) { return make(Lab::grid(size.columns, size.rows, true)); };
+    };
+    const std::vector<Size> sizes{{5, 7}, {33, 30}, {64, 17}};
+    // More rows than 16 bits count, more columns, more cells.
+    const std::vector<Size> large{{3, 65'539}, {65'539, 3}, {257, 257}};
+    return {
+        {.name = "saturation/fused", .experiment = matrix(saturated, Boundary::no_flux), .sizes = few_sizes()},
+        {.name = "saturation/published", .experiment = grid(saturated), .sizes = few_sizes()},
+        {.name = "values/special/fused",
+         .experiment = matrix(plain_arithmetic, Boundary::wrap),
+         .sizes = sizes,
+         .iterations = 3,
+         .touch = special_values},
+        {.name = "values/special/published",
+         .experiment = grid(plain_arithmetic),
+         .sizes = sizes,
+         .iterations = 3,
+         .touch = special_values},
+        {.name = "values/denormal/fused",
+         .experiment = matrix(plain_arithmetic, Boundary::no_flux),
+         .sizes = sizes,
+         .iterations = 20,
+         .touch = tiny_values},
+        {.name = "values/denormal/published",
+         .experiment = grid(plain_arithmetic),
+         .sizes = sizes,
+         .iterations = 20,
+         .touch = tiny_values},
+        {.name = "sizes/many-rows", .experiment = matrix(spreading, Boundary::wrap), .sizes = large, .iterations = 3}};
+}
+
+}  // namespace pelage::verify

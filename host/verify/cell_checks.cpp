@@ -1,0 +1,134 @@
+// See check.hpp: free cells, step by step against the reference.
+#include "core/prepattern.hpp"
+#include "language/parse.hpp"
+#include "reference/backend.hpp"
+#include "verify/bounded.hpp"
+#include "verify/cases_cells.hpp"
+#include "verify/check.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <limits>
+#include <string_view>
+
+namespace pelage::verify {
+
+namespace {
+
+constexpr std::uint64_t iterations = 40;
+constexpr std::uint64_t stride = 8;
+constexpr std::uint64_t small_iterations = 3;
+constexpr std::array<std::string_view, 4> quick_cases{"cells/turing", "cells/divide-in-several-ways",
+                                                      "cells/divide-while-polarized", "cells/packed-domain"};
+
+bool quick(const std::string& name) {
+    return std::ranges::find(quick_cases, std::string_view(name)) != quick_cases.end();
+}
+
+void follow(Outcome& outcome, const std::vector<Snapshot>& expected, const Experiment& experiment,
+            const Snapshot& initial, Place& place, const Setting& setting, const std::string& where) {
+    const auto tissue = place.backend(setting).make_tissue(experiment, initial);
+    for (const Snapshot& state : expected) {
+        tissue->advance(state.iteration - tissue->iteration());
+        const std::string when = fmt::format("{}iteration {}", where.empty() ? "" : where + ", ", state.iteration);
+        add(outcome.tally, state, tissue->read(), setting.precision, when);
+    }
+}
+
+std::vector<Snapshot> by_reference(const Experiment& experiment, const Snapshot& initial, const Setting& setting,
+                                   std::uint64_t last) {
+    const auto tissue = reference_backend(setting.precision, setting.search)->make_tissue(experiment, initial);
+    std::vector<Snapshot> states;
+    for (std::uint64_t done = 0; done < last; done += stride) {
+        tissue->advance(std::min(stride, last - done));
+        states.push_back(tissue->read());
+    }
+    return states;
+}
+
+bool moved_on(const Snapshot& before, const Snapshot& after) {
+    return after.cells() != before.cells() || after.x != before.x || after.conc != before.conc ||
+           after.polarity_x != before.polarity_x;
+}
+
+std::vector<Setting> settings_of(const CellCase& one, const Place& place) {
+    std::vector<Setting> settings{{}, {}};  // twice
+    const Setting grouped{.work_group = std::min<std::size_t>(5, place.device().max_work_group)};
+    if (place.full() || one.name == "cells/divide-in-several-ways") settings.push_back(grouped);
+    if (!place.full()) return settings;
+    settings.push_back({.width = 1});
+    if (place.device().fp64) settings.push_back({.precision = Precision::double_});
+    return settings;
+}
+
+// `pairs`: cells whose values are averaged after each step.
+Outcome check_cells(const CellCase& one, Place& place, const std::vector<Setting>& settings,
+                    const decltype(Snapshot::mirrors)& pairs = {}) {
+    Outcome outcome;
+    const Experiment experiment = parse_experiment(one.text(), one.name, ".");
+    Snapshot initial = initial_state(experiment);
+    initial.mirrors = pairs;
+    const std::uint64_t last = place.small() ? small_iterations : iterations;
+    const std::size_t count = place.small() ? 1 : settings.size();
+    std::vector<Snapshot> states{initial};
+    for (std::size_t i = 0; i < count; ++i) {
+        const auto expected = by_reference(experiment, initial, settings[i], last);
+        if (i == 0) states.insert(states.end(), expected.begin(), expected.end());
+        if (!moved_on(initial, expected.back())) {
+            outcome.verdict = Verdict::mistrusted;
+            outcome.message = "the reference ends as it began";
+        }
+        follow(outcome, expected, experiment, initial, place, settings[i], i == 1 ? "again" : settings[i].text());
+    }
+    if (outcome.tally.equal()) return outcome;
+    if (!rounds_exactly(place, {})) {
+        outcome.tally = single_iterations(experiment, states, place, settings.front());
+        outcome.message = bound_message();
+        if (within_bound(outcome.tally)) return outcome;
+    }
+    outcome.verdict = Verdict::failed;
+    return outcome;
+}
+
+const CellCase mirrored{"cells/mirror-pairs",
+                        "rule always react A B scale 0.01 turing alpha 16 beta 12\nrule probability 0.02 divide\n"};
+
+Outcome finds_what_is_not_finite(Place& place) {
+    Outcome outcome;
+    const CellCase& one = cell_cases().front();
+    const Experiment experiment = parse_experiment(one.text(), one.name, ".");
+    for (const double value : {std::numeric_limits<double>::quiet_NaN(), -std::numeric_limits<double>::infinity()}) {
+        Snapshot state = initial_state(experiment);
+        const auto clean = place.backend({}).make_tissue(experiment, state)->non_finite();
+        state.conc[1][77] = value;
+        const auto found = place.backend({}).make_tissue(experiment, state)->non_finite();
+        outcome.tally.cells_compared += 2 * state.cells();
+        if (!clean && found && found->chemical == 1 && found->cell == 77) continue;
+        outcome.verdict = Verdict::failed;
+        outcome.message =
+            fmt::format("{} in chemical 1 of cell 77 is not found, or something where all is finite", value);
+    }
+    return outcome;
+}
+
+}  // namespace
+
+std::vector<Check> cell_checks() {
+    std::vector<Check> checks;
+    for (const CellCase& one : cell_cases()) {
+        const auto run = [&one](Place& place) { return check_cells(one, place, settings_of(one, place)); };
+        checks.push_back({one.name, one.divides() ? "division" : "cell step", quick(one.name), run});
+    }
+    checks.push_back({"cells/mirror-pairs", "cell step", true, [](Place& place) {
+                          return check_cells(mirrored, place, {{}}, {{0, 12}, {1, 11}, {11, 2}, {100, 5}, {5, 12}});
+                      }});
+    checks.push_back({"cells/spatial-sorting", "neighbour search", true, [](Place& place) {
+                          return check_cells(mirrored, place, {{.search = NeighbourSearch::spatial_sorting}});
+                      }});
+    checks.push_back({"cells/not-finite", "not finite", true, finds_what_is_not_finite});
+    return checks;
+}
+
+}  // namespace pelage::verify

@@ -1,0 +1,123 @@
+// See check.hpp.
+#include "verify/check.hpp"
+
+#include "core/error.hpp"
+#include "opencl/cl_error.hpp"
+
+#include <fmt/format.h>
+
+#include <exception>
+
+namespace pelage::verify {
+
+namespace {
+
+constexpr cl_uint long_loop = 70'000;
+
+const char* const loop_kernel = R"(
+kernel void pelage_count_turns(global volatile uint* turns, const uint most) {
+    uint done = 0;
+    for (uint i = 0; i < most; ++i) {
+        turns[1] = i;  // kept by the compiler: the loop must be run
+        done += 1;
+    }
+    turns[0] = done;
+}
+)";
+
+}  // namespace
+
+std::string Setting::text() const {
+    std::string text;
+    const auto put = [&](const std::string& part) { text += text.empty() ? part : ", " + part; };
+    if (precision == Precision::double_) put("double");
+    if (fusion == Fusion::always) put("streamed");
+    if (fusion == Fusion::shared) put("shared");
+    if (work_group != 0) put(fmt::format("work-group {}", work_group));
+    if (search == NeighbourSearch::spatial_sorting) put("spatial sorting");
+    if (width != 0) put(fmt::format("width {}", width));
+    return text;
+}
+
+Place::Place(DeviceInfo device, std::uint64_t seed, bool full, bool small)
+    : device_(std::move(device)), seed_(seed), full_(full), small_(small) {}
+
+OpenclBackend& Place::backend(const Setting& setting) {
+    auto& backend = backends_[setting];
+    if (!backend) {
+        OpenclOptions options;
+        options.device = std::to_string(device_.index);
+        options.guarded = true;
+        options.precision = setting.precision;
+        options.fusion = setting.fusion;
+        options.work_group = setting.work_group;
+        options.width = setting.width;
+        options.variants = setting.variants;
+        options.neighbours = setting.search;
+        backend = opencl_backend(options);
+    }
+    return *backend;
+}
+
+const Session& Place::session(Precision precision) {
+    auto& session = sessions_[precision];
+    if (!session) {
+        OpenclOptions options;
+        options.guarded = true;
+        options.precision = precision;
+        session = std::make_unique<Session>(device_, options);
+    }
+    return *session;
+}
+
+std::uint64_t Place::loop_limit() {
+    if (loop_limit_) return *loop_limit_;
+    const Session& on = session();
+    const cl_uint turns = with_device(device_.name, [&] {
+        cl::Kernel kernel(on.build(loop_kernel), "pelage_count_turns");
+        const cl::Buffer result = on.buffer(2 * sizeof(cl_uint), "turns of a loop");
+        kernel.setArg(0, result);
+        kernel.setArg(1, long_loop);
+        on.launch(kernel, cl::NDRange(1), cl::NDRange(1));
+        cl_uint found = 0;
+        on.queue().enqueueReadBuffer(result, CL_TRUE, 0, sizeof found, &found);
+        return found;
+    });
+    loop_limit_ = turns == long_loop ? 0 : turns;
+    return *loop_limit_;
+}
+
+const char* word(Verdict verdict) {
+    switch (verdict) {
+        case Verdict::passed:
+            return "passed";
+        case Verdict::failed:
+            return "failed";
+        case Verdict::mistrusted:
+            return "mistrusted";
+        case Verdict::skipped:
+            return "skipped";
+    }
+    return "?";
+}
+
+std::vector<Check> all_checks(std::uint64_t seed) {
+    std::vector<Check> checks = primitive_checks(seed);
+    for (auto part : {lattice_checks(), law_checks(seed), cell_checks(), checkpoint_checks(), random_checks(seed)}) {
+        checks.insert(checks.end(), std::make_move_iterator(part.begin()), std::make_move_iterator(part.end()));
+    }
+    return checks;
+}
+
+Outcome carry_out(const Check& check, Place& place) {
+    try {
+        return check.run(place);
+    } catch (const std::exception& error) {
+        Outcome outcome;
+        outcome.verdict = Verdict::failed;
+        outcome.message = error.what();
+        return outcome;
+    }
+}
+
+}  // namespace pelage::verify

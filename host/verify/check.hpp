@@ -1,0 +1,99 @@
+// What a check is, where it runs and what comes of it.
+#pragma once
+
+#include "opencl/backend.hpp"
+#include "opencl/session.hpp"
+#include "verify/tally.hpp"
+
+#include <cstddef>
+#include <cstdint>
+#include <functional>
+#include <map>
+#include <memory>
+#include <optional>
+#include <string>
+#include <tuple>
+#include <vector>
+
+namespace pelage::verify {
+
+// Which kernel variant a state comes from. None of these may change a bit, but for the precision.
+struct Setting {
+    Precision precision = Precision::single_;
+    Fusion fusion = Fusion::never;
+    std::size_t work_group = 0;  // 0: as a run would choose it
+    std::size_t width = 0;
+    std::size_t variants = 16;
+    NeighbourSearch search = NeighbourSearch::bins;  // of free cells
+
+    auto operator<=>(const Setting&) const = default;
+    std::string text() const;  // "float", "double, fused", "float, work-group 3"; empty for the default
+};
+
+// The device under test: every buffer is guarded, every output poisoned. Not for several threads.
+class Place {
+public:
+    Place(DeviceInfo, std::uint64_t seed, bool full, bool small);
+
+    const DeviceInfo& device() const { return device_; }
+    std::uint64_t seed() const { return seed_; }
+    bool full() const { return full_; }    // the long form of a check
+    bool small() const { return small_; }  // the smallest sizes alone, for simulators
+
+    OpenclBackend& backend(const Setting&);
+    const Session& session(Precision = Precision::single_);
+
+    // Turns that a loop of one work-item may take before the device ends it silently; 0: no end was met in 70,000.
+    std::uint64_t loop_limit();
+
+private:
+    DeviceInfo device_;
+    std::uint64_t seed_;
+    bool full_;
+    bool small_;
+    std::map<Setting, std::unique_ptr<OpenclBackend>> backends_;
+    std::map<Precision, std::unique_ptr<Session>> sessions_;
+    std::optional<std::uint64_t> loop_limit_;
+};
+
+enum class Verdict { passed, failed, mistrusted, skipped };
+const char* word(Verdict);  // "passed", ...
+
+// Values of a lattice's chemical on both sides, to be drawn.
+struct Evidence {
+    std::string what;  // "conc[0] after 1 iteration"
+    std::size_t columns = 0;
+    std::size_t rows = 0;
+    std::vector<double> expected;
+    std::vector<double> found;
+};
+
+struct Outcome {
+    Verdict verdict = Verdict::passed;
+    Tally tally;
+    std::string message;  // why it is not passed, or with what bound it is; may be empty
+    std::optional<Evidence> evidence;
+};
+
+struct Check {
+    std::string name;    // "diffusion/nine-point/wrap": unique
+    std::string kernel;  // the row of the table of verdicts it counts for
+    bool quick = false;  // belongs to the quick form too
+    std::function<Outcome(Place&)> run;
+};
+
+// All checks, in the order in which they run. `seed` makes the random ones.
+std::vector<Check> all_checks(std::uint64_t seed);
+
+// Parts of them.
+std::vector<Check> lattice_checks();
+std::vector<Check> law_checks(std::uint64_t seed);
+std::vector<Check> cell_checks();
+std::vector<Check> primitive_checks(std::uint64_t seed);
+std::vector<Check> random_checks(std::uint64_t seed);
+std::vector<Check> checkpoint_checks();
+
+// Runs one check: whatever is thrown becomes a failure.
+Outcome carry_out(const Check&, Place&);
+
+}  // namespace pelage::verify

@@ -1,0 +1,245 @@
+// See check.hpp: every lattice case of the table, as a run would step it and in other shapes of the work.
+#include "core/error.hpp"
+#include "core/prepattern.hpp"
+#include "reference/backend.hpp"
+#include "verify/bounded.hpp"
+#include "verify/cases.hpp"
+#include "verify/check.hpp"
+#include "verify/compare.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <string_view>
+
+namespace pelage::verify {
+
+namespace {
+
+constexpr std::size_t enough_cells = 200;  // fewer are soon all the same, which proves nothing
+constexpr std::size_t small_cells = 260;   // for simulators
+constexpr Size small_size{19, 11};         // where the case has none that proves something
+constexpr std::uint64_t small_iterations = 4;
+
+// The cases that the quick form runs: each kernel path once, in the fewest programs.
+constexpr std::array<std::string_view, 19> quick_cases{"diffusion/nine-point/no-flux",
+                                                       "diffusion/nine-point/wrap",
+                                                       "diffusion/nine-point/absorbing",
+                                                       "diffusion/moore/wrap",
+                                                       "diffusion/five-point/no-flux",
+                                                       "diffusion/sims/absorbing",
+                                                       "diffusion/published/open",
+                                                       "diffusion/published/wrap",
+                                                       "reaction/fused",
+                                                       "reaction/published",
+                                                       "saturation/fused",
+                                                       "rates/uneven/nine-point/no-flux",
+                                                       "rates/uneven/published/open",
+                                                       "rates/polarized/five-point/absorbing",
+                                                       "rules/quantities/fused",
+                                                       "rules/draws/fused",
+                                                       "rules/chains/published",
+                                                       "growth/plain/no-flux",
+                                                       "sizes/many-rows"};
+// Of these also with a second work-group size, and fused.
+constexpr std::array<std::string_view, 2> quick_groups{"diffusion/nine-point/no-flux", "diffusion/published/open"};
+constexpr std::array<std::string_view, 2> quick_fused{"diffusion/nine-point/wrap", "growth/plain/no-flux"};
+constexpr std::array<std::string_view, 3> quick_shared{"diffusion/nine-point/wrap", "rates/uneven/published/open",
+                                                       "growth/plain/no-flux"};
+
+template <class List>
+bool among(const std::string& name, const List& list) {
+    return std::ranges::find(list, std::string_view(name)) != list.end();
+}
+
+std::string kernel_of(const std::string& name) {
+    const auto begins = [&](const char* prefix) { return name.starts_with(prefix); };
+    if (begins("reaction/")) return "reactions";
+    if (begins("rates/uneven")) return "uneven rates";
+    if (begins("rates/polarized")) return "polarity";
+    if (begins("growth/")) return "expansion";
+    if (begins("values/")) return "special values";
+    if (begins("sizes/")) return "diffusion";
+    return name.substr(0, name.find('/'));
+}
+
+struct State {
+    Snapshot before;
+    std::vector<std::uint64_t> strides;
+    std::vector<Snapshot> after;  // each stride, by the reference
+};
+
+Snapshot first_state(const Case& one, const Experiment& experiment) {
+    Snapshot state = initial_state(experiment);
+    if (one.touch) one.touch(state);
+    return state;
+}
+
+bool keeps_denormals(Place& place) {
+    return (place.session().device().getInfo<CL_DEVICE_SINGLE_FP_CONFIG>() & CL_FP_DENORM) != 0;
+}
+
+class LatticeCheck {
+public:
+    LatticeCheck(const Case& one, Place& place) : case_(one), place_(place) {}
+
+    Outcome run(const std::vector<Setting>& settings) {
+        if (case_.name.starts_with("values/") && !keeps_denormals(place_)) {
+            outcome_.verdict = Verdict::skipped;
+            outcome_.message = "the device has no denormal numbers";
+            return std::move(outcome_);
+        }
+        run_sizes(settings);
+        if (!outcome_.tally.equal() && case_.divides && !rounds_exactly(place_, {})) {
+            outcome_ = {};
+            doubts_.clear();
+            bounded_ = true;
+            run_sizes(settings);
+        }
+        conclude();
+        return std::move(outcome_);
+    }
+
+private:
+    void run_sizes(const std::vector<Setting>& settings) {
+        for (const Size size : sizes()) {
+            const Experiment experiment = case_.experiment(size);
+            for (const Precision precision : {Precision::single_, Precision::double_}) {
+                run_size(experiment, size, precision, settings);
+            }
+        }
+    }
+
+    std::vector<Size> sizes() const {
+        if (!place_.small()) return case_.sizes;
+        const auto cells = [](const Size& size) { return size.columns * size.rows; };
+        std::vector<Size> chosen;
+        for (const Size& size : case_.sizes) {
+            if (cells(size) <= small_cells) chosen.push_back(size);
+        }
+        const bool proves = std::ranges::any_of(chosen, [&](const Size& size) { return cells(size) >= enough_cells; });
+        if (!chosen.empty() && !proves) chosen.push_back(small_size);
+        return chosen;
+    }
+
+    void run_size(const Experiment& experiment, Size size, Precision precision, const std::vector<Setting>& settings) {
+        const auto concerns = [&](const Setting& setting) { return setting.precision == precision; };
+        if (std::ranges::none_of(settings, concerns)) return;
+        const State state = by_reference(experiment, precision);
+        const std::string where = fmt::format("{} x {}", size.columns, size.rows);
+        if (size.columns * size.rows >= enough_cells && precision == Precision::single_) mistrust(state, where);
+        bool again = !place_.small();  // the first of them twice
+        for (const Setting& setting : settings) {
+            if (!concerns(setting)) continue;
+            const std::string text = setting.text().empty() ? where : where + ", " + setting.text();
+            compare(experiment, state, setting, text);
+            if (again) compare(experiment, state, setting, text + ", again");
+            again = false;
+        }
+    }
+
+    State by_reference(const Experiment& experiment, Precision precision) const {
+        const auto reference = reference_backend(precision);
+        State state;
+        state.before = first_state(case_, experiment);
+        const auto tissue = reference->make_tissue(experiment, state.before);
+        const std::uint64_t all = place_.small() ? small_iterations : case_.iterations;
+        const std::uint64_t last = bounded_ ? 1 : all;
+        for (std::uint64_t done = 0; done < last;) {
+            const std::uint64_t count = done == 0 || case_.grows ? 1 : last - done;
+            tissue->advance(count);
+            state.strides.push_back(count);
+            state.after.push_back(tissue->read());
+            done += count;
+        }
+        return state;
+    }
+
+    void compare(const Experiment& experiment, const State& state, const Setting& setting, const std::string& where) {
+        const auto tissue = place_.backend(setting).make_tissue(experiment, state.before);
+        for (std::size_t i = 0; i < state.after.size(); ++i) {
+            tissue->advance(state.strides[i]);
+            const Snapshot found = tissue->read();
+            const std::string when = fmt::format("{}, iteration {}", where, state.after[i].iteration);
+            const bool equal_before = outcome_.tally.equal();
+            add(outcome_.tally, state.after[i], found, setting.precision, when);
+            if (equal_before && !outcome_.tally.equal()) keep_evidence(state.after[i], found, when);
+        }
+    }
+
+    void keep_evidence(const Snapshot& expected, const Snapshot& found, const std::string& when) {
+        if (expected.cells() != found.cells()) return;
+        std::size_t chemical = 0;
+        while (chemical + 1 < expected.conc.size() && expected.conc[chemical] == found.conc[chemical]) ++chemical;
+        outcome_.evidence = Evidence{fmt::format("conc[{}], {}", chemical, when), expected.columns, expected.rows,
+                                     expected.conc.at(chemical), found.conc.at(chemical)};
+    }
+
+    void mistrust(const State& state, const std::string& where) {
+        trusted_ = true;
+        for (const std::string& doubt : mistrusted(state.before, state.after.back()))
+            doubts_.push_back(where + ": " + doubt);
+    }
+
+    void conclude() {
+        const Tally& tally = outcome_.tally;
+        if (bounded_ && within_bound(tally)) {
+            if (!tally.equal()) outcome_.message = bound_message();
+        } else if (!tally.equal()) {
+            outcome_.verdict = Verdict::failed;
+        }
+        if (outcome_.verdict != Verdict::passed) return;
+        if (!doubts_.empty()) {
+            outcome_.verdict = Verdict::mistrusted;
+            outcome_.message = doubts_.front();
+        } else if (!trusted_) {
+            outcome_.verdict = Verdict::skipped;
+            if (outcome_.message.empty()) {
+                outcome_.message = place_.small() ? "left out with --small" : "no size that proves something was run";
+            }
+        }
+    }
+
+    const Case& case_;
+    Place& place_;
+    Outcome outcome_;
+    std::vector<std::string> doubts_;
+    bool trusted_ = false;
+    bool bounded_ = false;
+};
+
+std::vector<Setting> plain_settings(const Case& one, const Place& place) {
+    // The quick form compiles few programs: after the first set of rules one that tests at run time which of them act.
+    std::vector<Setting> settings{{.variants = place.full() ? Setting{}.variants : 1}};
+    // CPUs run one work-item a group, other devices 64 at most.
+    const std::size_t second = place.device().type == "cpu" ? 3 : 16;
+    const std::size_t group = std::min(second, place.device().max_work_group);
+    if (place.full() || among(one.name, quick_groups)) settings.push_back({.work_group = group});
+    if (!place.full()) return settings;
+    settings.push_back({.width = 1, .variants = 0});
+    if (place.device().fp64) settings.push_back({.precision = Precision::double_, .variants = 1});
+    return settings;
+}
+
+}  // namespace
+
+std::vector<Check> lattice_checks() {
+    std::vector<Check> checks;
+    for (const Case& one : lattice_cases()) {
+        const auto plain = [&one](Place& place) { return LatticeCheck(one, place).run(plain_settings(one, place)); };
+        checks.push_back({one.name, kernel_of(one.name), among(one.name, quick_cases), plain});
+    }
+    for (const Case& one : lattice_cases()) {
+        const auto fused = [&one](Place& place) { return LatticeCheck(one, place).run({{.fusion = Fusion::always}}); };
+        checks.push_back({"fused/" + one.name, "fused steps", among(one.name, quick_fused), fused});
+    }
+    for (const Case& one : lattice_cases()) {
+        const auto shared = [&one](Place& place) { return LatticeCheck(one, place).run({{.fusion = Fusion::shared}}); };
+        checks.push_back({"shared/" + one.name, "shared steps", among(one.name, quick_shared), shared});
+    }
+    return checks;
+}
+
+}  // namespace pelage::verify

@@ -1,0 +1,76 @@
+// What the parts of a random experiment know of each other while its text is being written.
+#pragma once
+
+#include "verify/dice.hpp"
+#include "verify/random_experiment.hpp"
+
+#include <cstddef>
+#include <cstdint>
+#include <initializer_list>
+#include <limits>
+#include <string>
+#include <vector>
+
+namespace pelage::verify {
+
+struct ChemicalDraft {
+    std::string name;
+    double conc = 1.0;    // about which its cells start
+    double spread = 0.5;  // and how far from there
+    double rate = 0.0;    // largest that cells start with
+    double floor = 0.0;
+    double limit = std::numeric_limits<double>::infinity();
+};
+
+struct MappingDraft {
+    std::string name;
+    double low = 0.0, high = 1.0;
+};
+
+enum class TissueKind { matrix, sqr_grid, free_cells };
+
+struct Draft {
+    Draft(std::uint64_t seed, const RandomLimits& l) : dice(seed), limits(l) {}
+
+    Dice dice;
+    const RandomLimits& limits;
+    TissueKind kind = TissueKind::matrix;
+    std::size_t columns = 0, rows = 0;  // of a lattice
+    std::size_t cells = 0;
+    double stiffness = 9.0;  // see core/stability.hpp
+    double time_step = 1.0;
+    std::uint64_t iterations = 0;  // of the run
+    std::uint64_t span = 0;        // of the stretch whose rules are being written
+    std::vector<ChemicalDraft> chemicals;
+    std::vector<MappingDraft> mappings;
+    std::size_t growth_rules = 0;  // `divide` and `expand` so far
+    std::string text;
+
+    bool lattice() const { return kind != TissueKind::free_cells; }
+    double largest_rate() const;  // that diffusion holds at this time step, and no more than 20
+
+    ChemicalDraft& any_chemical() { return chemicals[dice.below(chemicals.size())]; }
+    std::string value(double low, double high);              // a number, or seldom one at the end of what a float holds
+    std::string deviated(double value, double deviation);    // VALUE [dev DEVIATION]
+    std::string shuffled(std::vector<std::string> options);  // in any order, blanks between
+    void line(const std::string&);                           // with the odd comment, blank and empty line
+};
+
+// The words that are not empty, blanks between. Braces have their parts evaluated from left to right, which calls and
+// sums do not: wherever two parts are drawn this keeps their order the same for all compilers.
+std::string words(std::initializer_list<std::string>);
+
+// The parts, in the order in which they are written.
+void draw_world(Draft&);     // chemicals, cells, `use` and `set`
+void draw_course(Draft&);    // rules and phases, and where the run ends
+void draw_pictures(Draft&);  // what is drawn of it
+
+void draw_rule(Draft&);  // random_rules.cpp
+
+// A condition, "always" included, and an action other than growth.
+std::string draw_condition(Draft&);  // random_operands.cpp
+std::string draw_operand(Draft&);    // any value that a rule can read
+// A number between the two, or some other value in its place.
+std::string draw_parameter(Draft&, double low, double high);
+
+}  // namespace pelage::verify

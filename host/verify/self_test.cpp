@@ -1,0 +1,140 @@
+// See self_test.hpp.
+#include "verify/self_test.hpp"
+
+#include "core/schedule.hpp"
+#include "reference/backend.hpp"
+#include "verify/tally.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <set>
+#include <vector>
+
+namespace pelage::verify {
+
+namespace {
+
+constexpr std::size_t most_columns = 37;  // more than two vectors of 16
+constexpr std::size_t most_rows = 13;
+constexpr std::size_t most_cells = 90;
+constexpr std::uint64_t few_iterations = 5;
+constexpr double streamed_work = 5e7;  // cell-updates from which on a run may use fused kernels
+constexpr double loose = 1e-3;
+
+// Which cells of the whole are in the piece, in order of id.
+std::vector<std::size_t> chosen(const Snapshot& whole, const Snapshot& piece) {
+    std::vector<std::size_t> cells;
+    if (!whole.lattice()) {
+        for (std::size_t cell = 0; cell < std::min(most_cells, whole.cells()); ++cell) cells.push_back(cell);
+        return cells;
+    }
+    const std::size_t first_column = (whole.columns - piece.columns) / 2;
+    const std::size_t first_row = (whole.rows - piece.rows) / 2;
+    for (std::size_t row = 0; row < piece.rows; ++row) {
+        for (std::size_t column = 0; column < piece.columns; ++column) {
+            cells.push_back((first_row + row) * whole.columns + first_column + column);
+        }
+    }
+    return cells;
+}
+
+template <class V>
+std::vector<V> picked(const std::vector<V>& values, const std::vector<std::size_t>& cells) {
+    std::vector<V> piece(cells.size());
+    std::ranges::transform(cells, piece.begin(), [&](std::size_t cell) { return values[cell]; });
+    return piece;
+}
+
+std::vector<std::vector<double>> picked_planes(const std::vector<std::vector<double>>& planes,
+                                               const std::vector<std::size_t>& cells) {
+    std::vector<std::vector<double>> piece;
+    for (const auto& plane : planes) piece.push_back(picked(plane, cells));
+    return piece;
+}
+
+double centre(double origin, std::size_t at, std::size_t count) {
+    const double place = origin + (static_cast<double>(at) - static_cast<double>(count) / 2) * 2 + 1;
+    return static_cast<double>(static_cast<float>(place));
+}
+
+// An iteration at which each set of rules begins to act.
+std::vector<std::uint64_t> beginnings(const Experiment& experiment, std::uint64_t first, std::uint64_t last,
+                                      std::size_t most) {
+    std::vector<std::uint64_t> iterations;
+    std::set<std::pair<std::vector<bool>, const Phase*>> seen;
+    constexpr int most_looks = 1000;  // rules may come and go in ever new sets
+    int looks = 0;
+    for (std::uint64_t at = first; at < last && looks < most_looks; at = next_change(experiment, at), ++looks) {
+        if (iterations.size() == most) break;
+        if (seen.emplace(active_rules(experiment, at), &experiment.phase_at(at)).second) iterations.push_back(at);
+    }
+    return iterations;
+}
+
+std::string difference(const OpenclOptions& options, const Experiment& experiment, const Snapshot& start) {
+    const auto backend = opencl_backend(options);
+    const bool exact =
+        !options.fast && (options.precision == Precision::double_ || backend->device().correctly_rounded_divide_sqrt);
+    const auto reference = reference_backend(options.precision, options.neighbours, options.sorting);
+    const auto expected = reference->make_tissue(experiment, start);
+    const auto found = backend->make_tissue(experiment, start);
+    Tally tally;
+    for (const std::uint64_t count : {std::uint64_t{1}, few_iterations - 1}) {
+        if (!exact && count > 1) break;  // differences grow from step to step
+        expected->advance(count);
+        found->advance(count);
+        add(tally, expected->read(), found->read(), options.precision,
+            fmt::format("iteration {}", expected->iteration()));
+    }
+    if (tally.equal() || (!exact && std::min(tally.max_relative, tally.max_absolute) <= loose)) return {};
+    return tally.first;
+}
+
+}  // namespace
+
+Snapshot small_piece(const Snapshot& whole) {
+    Snapshot piece = whole;
+    piece.columns = std::min(whole.columns, most_columns);
+    piece.rows = std::min(whole.rows, most_rows);
+    const std::vector<std::size_t> cells = chosen(whole, piece);
+    piece.conc = picked_planes(whole.conc, cells);
+    piece.diff = picked_planes(whole.diff, cells);
+    piece.mappings = picked_planes(whole.mappings, cells);
+    piece.x = picked(whole.x, cells);
+    piece.y = picked(whole.y, cells);
+    piece.polarity_x = picked(whole.polarity_x, cells);
+    piece.polarity_y = picked(whole.polarity_y, cells);
+    piece.birth = picked(whole.birth, cells);
+    piece.neighbours = picked(whole.neighbours, cells);
+    piece.fixed = picked(whole.fixed, cells);
+    std::erase_if(piece.mirrors,
+                  [&](const auto& pair) { return pair.first >= cells.size() || pair.second >= cells.size(); });
+    for (std::size_t cell = 0; piece.lattice() && cell < cells.size(); ++cell) {
+        piece.x[cell] = centre(piece.origin_x, cell % piece.columns, piece.columns);
+        piece.y[cell] = centre(piece.origin_y, cell / piece.columns, piece.rows);
+    }
+    return piece;
+}
+
+std::string self_test(const OpenclOptions& options, const Experiment& experiment, const Snapshot& initial,
+                      std::uint64_t last) {
+    Snapshot start = small_piece(initial);
+    const double work =
+        static_cast<double>(last - std::min(last, initial.iteration)) * static_cast<double>(initial.cells());
+    std::vector<Fusion> kinds{options.fusion};
+    if (options.fusion == Fusion::automatic && work >= streamed_work) kinds.push_back(Fusion::always);
+    for (const std::uint64_t iteration : beginnings(experiment, initial.iteration, last, options.variants)) {
+        start.iteration = iteration;
+        for (const Fusion fusion : kinds) {
+            if (fusion == Fusion::always && !initial.lattice()) continue;
+            OpenclOptions own = options;
+            own.fusion = fusion;
+            const std::string found = difference(own, experiment, start);
+            if (!found.empty()) return found + (fusion == Fusion::always ? " (streamed)" : "");
+        }
+    }
+    return {};
+}
+
+}  // namespace pelage::verify
