@@ -27,6 +27,9 @@ public:
     // To be called between batches. Upon a breakdown the tissue is left in the first state known to be non-finite.
     std::optional<Breakdown> look();
 
+    // The latest state that it holds, which is finite.
+    const std::optional<Snapshot>& kept() const { return kept_; }
+
 private:
     using Clock = std::chrono::steady_clock;
 

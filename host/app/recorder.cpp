@@ -3,6 +3,9 @@
 
 #include "io/checkpoint.hpp"
 
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
 #include <algorithm>
 
 namespace pelage::app {
@@ -84,6 +87,7 @@ void Recorder::manifest(const Snapshot& state, const Tally& tally, const char* e
     manifest.files = files_;
     manifest.started = started_;
     manifest.more_texts["end"] = end;
+    if (!tally.notes.empty()) manifest.more_texts["fusion"] = fmt::format("{}", fmt::join(tally.notes, "; "));
     manifest.more_numbers["first_iteration"] = static_cast<double>(tally.started_at);
     manifest.more_numbers["writing_seconds"] = writing_;
     if (tally.search.iterations > 0) {

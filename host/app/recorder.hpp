@@ -23,6 +23,7 @@ struct Tally {
     double updates = 0;            // cells times iterations
     SearchStatistics growing;      // those of them taken while cells divided
     SearchStatistics search;       // samples of an approximate neighbour search; none of an exact one
+    std::vector<std::string> notes;  // how iterations were carried out
     double updates_per_second() const { return seconds > 0 ? updates / seconds : 0; }
 };
 

@@ -9,6 +9,7 @@
 #include "app/prepare.hpp"
 #include "app/progress.hpp"
 #include "app/recorder.hpp"
+#include "app/self_check.hpp"
 #include "app/timetable.hpp"
 #include "core/error.hpp"
 #include "core/prepattern.hpp"
@@ -17,6 +18,7 @@
 
 #include <chrono>
 #include <cstdio>
+#include <type_traits>
 
 namespace pelage::app {
 
@@ -41,11 +43,11 @@ public:
 
     int carry_out() {
         const Interrupt interrupt;
-        if (const auto breakdown = guard_.look()) return stop_broken(*breakdown);
+        if (const auto breakdown = rescuing([&] { return guard_.look(); })) return stop_broken(*breakdown);
         if (tissue_.iteration() == 0) write_due(0);
         while (tissue_.iteration() < times_.last) {
             if (Interrupt::came()) return stop_interrupted();
-            if (const auto breakdown = batch()) return stop_broken(*breakdown);
+            if (const auto breakdown = rescuing([&] { return batch(); })) return stop_broken(*breakdown);
             write_due(tissue_.iteration());
         }
         return finish();
@@ -71,6 +73,7 @@ private:
         const double seconds = std::chrono::duration<double>(Clock::now() - start).count();
         size_.took(count, seconds);
         tally_.seconds += seconds;
+        tally_.notes = tissue_.notes();
         tally_.updates += static_cast<double>(count) * (cells_before + static_cast<double>(tissue_.cells())) / 2;
         progress_.show(experiment_.phase_at(first).name, tissue_.iteration(), tally_.updates);
         return breakdown;
@@ -89,10 +92,11 @@ private:
         const bool snapshot = times_.snapshot_at(iteration);
         const bool checkpoint = times_.checkpoint_at(iteration) && iteration < times_.last;
         if (!snapshot && !checkpoint) return;
-        const Snapshot state = tissue_.read();
+        const Snapshot state = read();
         guarded(state, [&] {
             if (snapshot) recorder_.snapshot(state);
             if (checkpoint) recorder_.checkpoint(state);
+            if (checkpoint) safe_ = state.iteration;
         });
     }
 
@@ -116,9 +120,41 @@ private:
         }
     }
 
+    Snapshot read() {
+        return rescuing([&] { return tissue_.read(); });
+    }
+
+    // When the device fails, the latest state that is at hand is saved.
+    template <class Work>
+    std::invoke_result_t<Work> rescuing(Work work) {
+        try {
+            return work();
+        } catch (const Error& error) {
+            progress_.clear();
+            throw Error(error.what() + rescue());
+        }
+    }
+
+    std::string rescue() {
+        const std::optional<Snapshot>& kept = guard_.kept();
+        const std::filesystem::path checkpoint = recorder_.folder() / "checkpoint.pelage";
+        if (kept && kept->iteration > safe_.value_or(tally_.started_at)) {
+            try {
+                recorder_.checkpoint(*kept);
+                safe_ = kept->iteration;
+            } catch (const Error&) {
+                if (!safe_)
+                    return fmt::format("; the state at iteration {} could not be saved either", kept->iteration);
+            }
+        }
+        if (!safe_) return {};
+        return fmt::format("; the state at iteration {} is safe, go on with:\n  {}", *safe_,
+                           resume_command(options_, checkpoint, experiment_.run_seed()));
+    }
+
     int finish() {
         progress_.clear();
-        const Snapshot state = tissue_.read();
+        const Snapshot state = read();
         guarded(state, [&] {
             recorder_.results(state);
             recorder_.manifest(state, tally_, "finished");
@@ -126,13 +162,16 @@ private:
         say("{} iterations of {} cells in {:.3g} s: {} million cell-updates a second\n",
             grouped(state.iteration - tally_.started_at), grouped(state.cells()), tally_.seconds,
             megas(tally_.updates_per_second()));
+        for (const std::string& note : tally_.notes) {
+            if (options_.explain) fmt::print("{}\n", note);
+        }
         if (!options_.quiet) fmt::print("Results are in {}\n", recorder_.folder().string());
         return success;
     }
 
     int stop_interrupted() {
         progress_.clear();
-        const Snapshot state = tissue_.read();
+        const Snapshot state = read();
         const std::filesystem::path saved = recorder_.checkpoint(state);
         recorder_.manifest(state, tally_, "interrupted");
         fmt::print(stderr, "pelage: stopped at iteration {}; go on with:\n  {}\n", state.iteration,
@@ -142,7 +181,7 @@ private:
 
     int stop_broken(const Breakdown& breakdown) {
         progress_.clear();
-        const Snapshot state = tissue_.read();
+        const Snapshot state = read();
         const std::filesystem::path saved = recorder_.dump(state);
         recorder_.manifest(state, tally_, "non-finite");
         fmt::print(stderr, "pelage: {}: {}; the state is in {}\n", experiment_.source, describe(breakdown, tissue_),
@@ -159,6 +198,7 @@ private:
     Recorder recorder_;
     Progress progress_;
     Tally tally_;
+    std::optional<std::uint64_t> safe_;  // the iteration of this run's latest checkpoint
 };
 
 void announce(const RunOptions& options, const Prepared& prepared, const Machine& machine, const Tissue& tissue) {
@@ -171,6 +211,14 @@ void announce(const RunOptions& options, const Prepared& prepared, const Machine
     if (!machine.why.empty()) fmt::print(stderr, "not opencl: {}\n", machine.why);
 }
 
+// Whether the device may be trusted with the run; says why not.
+bool trusted(const RunOptions& options, const Prepared& prepared, const Machine& machine, const Snapshot& start) {
+    if (!machine.opencl || options.no_self_test) return true;
+    const std::string fault = self_check(*machine.opencl, machine.info, prepared.experiment, start, prepared.last);
+    if (!fault.empty()) fmt::print(stderr, "pelage: {}\n", fault);
+    return fault.empty();
+}
+
 }  // namespace
 
 int run_experiment(const RunOptions& options) {
@@ -180,6 +228,7 @@ int run_experiment(const RunOptions& options) {
     const Machine machine = choose_machine(options, prepared.experiment, needed);
     const Snapshot initial = initial_state(prepared.experiment);
     if (!options.force) check_stability(prepared.experiment, initial);
+    if (!trusted(options, prepared, machine, prepared.resumed ? *prepared.resumed : initial)) return failed_check;
     prepare_folder(options.folder());
     prepare_json(options.json);
     const std::unique_ptr<Tissue> tissue = machine.backend->make_tissue(prepared.experiment, initial);

@@ -51,6 +51,8 @@ void Tissue::advance(std::uint64_t iterations) {
     if (iterations > largest_iteration - std::min(iteration_, largest_iteration)) {
         throw Error(fmt::format("a run cannot pass iteration {}", largest_iteration));
     }
+    check_whole();
+    lost_ = true;
     const std::uint64_t end = iteration_ + iterations;
     while (iteration_ < end) {
         begin_iteration();
@@ -64,6 +66,12 @@ void Tissue::advance(std::uint64_t iterations) {
         do_advance(iteration_, next - iteration_);
         iteration_ = next;
     }
+    lost_ = false;
+}
+
+void Tissue::check_whole() const {
+    if (!lost_) return;
+    throw Error("the tissue's state is lost, for an earlier call failed half-way; write() a state first");
 }
 
 void Tissue::begin_iteration() {
@@ -94,6 +102,7 @@ void Tissue::expand(const Insertion& insertion) {
     for (const std::uint32_t pick : insertion.picks) {
         if (pick >= places) throw Error(fmt::format("a pick of {} lies outside 0..{}", pick, places - 1));
     }
+    check_whole();
     insert(insertion);
 }
 
@@ -103,20 +112,31 @@ void Tissue::insert(const Insertion& insertion) {
         throw Error(fmt::format("growth past {} cells at iteration {}; no more can be addressed", largest_cell_count,
                                 iteration_));
     }
+    const bool within_advance = lost_;
+    lost_ = true;
     do_expand(insertion);
+    lost_ = within_advance;
     (insertion.column ? columns_ : rows_) += 1;
 }
 
 Snapshot Tissue::read() const {
+    check_whole();
     Snapshot snapshot = do_read();
     snapshot.iteration = iteration_;
     return snapshot;
 }
 
+std::optional<NonFinite> Tissue::non_finite() const {
+    check_whole();
+    return do_non_finite();
+}
+
 void Tissue::write(const Snapshot& snapshot) {
     check_shape(*experiment_, snapshot);
     if (snapshot.lattice() != (columns_ != 0)) throw Error("a lattice and free cells cannot take each other's state");
+    lost_ = true;
     do_write(snapshot);
+    lost_ = false;
     iteration_ = snapshot.iteration;
     columns_ = snapshot.columns;
     rows_ = snapshot.rows;

@@ -11,6 +11,7 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <vector>
 
 namespace pelage {
 
@@ -35,6 +36,8 @@ public:
     std::size_t columns() const { return columns_; }  // 0 for free cells
     std::size_t rows() const { return rows_; }
 
+    // After advance(), expand() or write() has failed half-way the state is lost: every call but write() throws Error.
+
     // Carries out `iterations` whole iterations, with the expansions and phase changes that fall into them.
     void advance(std::uint64_t iterations);
 
@@ -45,7 +48,10 @@ public:
     void write(const Snapshot&);  // throws Error when the arrays do not fit the experiment
 
     // The first cell, in order of chemical and id, that holds a NaN or an infinity.
-    std::optional<NonFinite> non_finite() const { return do_non_finite(); }
+    std::optional<NonFinite> non_finite() const;
+
+    // How iterations have been carried out so far, a sentence each; empty where there is nothing to tell.
+    virtual std::vector<std::string> notes() const { return {}; }
 
     // Of the latest iteration's neighbour search, counted when asked; empty where the search is exact by construction.
     virtual std::optional<SearchStatistics> search_statistics() const { return std::nullopt; }
@@ -66,11 +72,13 @@ private:
 
     void begin_iteration();
     void insert(const Insertion&);
+    void check_whole() const;
 
     std::shared_ptr<const Experiment> experiment_;
     std::uint64_t iteration_ = 0;
     std::size_t columns_ = 0;
     std::size_t rows_ = 0;
+    bool lost_ = false;  // from the beginning of a change until it has succeeded
 };
 
 // Somewhere to run tissues: the reference, or one OpenCL device.
