@@ -1,0 +1,7 @@
+// The barrier between writing and reading is missing.
+kernel void faulty(global const int* given, global int* result, global const int* unknown) {
+    const int i = (int)get_global_id(0);
+    local int here[16];
+    here[get_local_id(0)] = given[i];
+    result[i] = here[15 - get_local_id(0)];
+}

@@ -1,0 +1,71 @@
+// Kernels under Oclgrind: the reference's bits, no data race, no access outside of a buffer, nothing uninitialised; and
+// faulty kernels (see faulty/) that show that it would have been seen.
+#include "conformance/implementations.hpp"
+
+#include <catch2/catch.hpp>
+
+using Catch::Contains;
+using namespace test;
+
+namespace {
+
+void nothing_to_report(const std::vector<std::string>& filters) {
+    if (oclgrind_missing()) return;
+    for (const std::string& filter : filters) {
+        const Verification verification = verify({"--small", "--jobs", "1"}, under_oclgrind(), filter);
+
+        require_equal_bits(verification);
+        CHECK(verification.report["platform"] == "Oclgrind");
+        CHECK(verification.process.err.empty());
+        CHECK(verification.skipped().empty());
+    }
+}
+
+// What Oclgrind says of the kernel in faulty/NAME.cl.
+std::string report_of(const std::string& name) {
+    const std::string file = PELAGE_SOURCE "/tests/conformance/faulty/" + name + ".cl";
+    const Outcome outcome = Child({PELAGE_FAULTY_KERNEL, file}, under_oclgrind()).wait();
+    REQUIRE(outcome.exit_code == 0);
+    return outcome.err;
+}
+
+}  // namespace
+
+TEST_CASE("Oclgrind has nothing to say about a kernel without a fault") {
+    if (oclgrind_missing()) return;
+
+    CHECK(report_of("none").empty());
+}
+
+TEST_CASE("Oclgrind names each kind of seeded fault") {
+    if (oclgrind_missing()) return;
+
+    CHECK_THAT(report_of("race_in_global_memory"),
+               Contains("Write-write data race at global memory") && Contains("Kernel: faulty"));
+    CHECK_THAT(report_of("race_in_local_memory"),
+               Contains("Read-write data race at local memory") && Contains("Kernel: faulty"));
+    CHECK_THAT(report_of("read_behind_the_end"),
+               Contains("Invalid read of size 4 at global memory") && Contains("Kernel: faulty"));
+    CHECK_THAT(report_of("write_before_the_beginning"),
+               Contains("Invalid write of size 4 at global memory") && Contains("Kernel: faulty"));
+    CHECK_THAT(report_of("read_of_what_nobody_wrote"),
+               Contains("Uninitialized value written to global memory") && Contains("Kernel: faulty"));
+}
+
+TEST_CASE("Oclgrind finds nothing in random numbers, sort and scan") { nothing_to_report({"random/", "scan/", "sort/"}); }
+
+TEST_CASE("Oclgrind finds nothing in the neighbour search") { nothing_to_report({"neighbours/special"}); }
+
+TEST_CASE("Oclgrind finds nothing in diffusion, each stencil and boundary") {
+    nothing_to_report({"diffusion/", "rates/"});
+}
+
+TEST_CASE("Oclgrind finds nothing in reactions, rules and bounds") {
+    nothing_to_report({"reaction/", "rules/chains", "saturation/"});
+}
+
+TEST_CASE("Oclgrind finds nothing in fused iterations and in growth") {
+    nothing_to_report({"fused/growth", "shared/growth", "laws/projection"});
+}
+
+TEST_CASE("Oclgrind finds nothing in the steps of free cells") { nothing_to_report({"cells/turing", "not-finite"}); }
