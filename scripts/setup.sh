@@ -4,9 +4,9 @@
 
 build=$root/build/release
 
-# Names of the packages in scripts/packages that are not installed, on one line.
+# missing_packages FILE: those it names that are not installed, on one line.
 missing_packages() {
-    wanted=$(grep -v '^#' "$root/scripts/packages")
+    wanted=$(grep -v '^#' "$1")
     # shellcheck disable=SC2086  # one word a package
     installed=$(dpkg-query -W -f='${Package} ${db:Status-Status}\n' $wanted 2>/dev/null |
         sed -n 's/ installed$//p') || true
@@ -26,12 +26,13 @@ install_packages() {
             apt-get -q -y --no-install-recommends -o DPkg::Lock::Timeout=300 install "$@"
 }
 
+# set_up_packages [FILE]: what the list names, scripts/packages where none is given.
 set_up_packages() {
     if ! command -v dpkg-query >/dev/null 2>&1; then
         echo "This is not Debian: the libraries that scripts/packages names must be there already." >&2
         return 0
     fi
-    missing=$(missing_packages)
+    missing=$(missing_packages "${1:-$root/scripts/packages}")
     [ -n "$missing" ] || return 0
 
     echo "Installing what is missing: $missing" >&2

@@ -1,0 +1,109 @@
+// `pelage bench`: how fast each backend is on this machine, against each other and against what the machine can do.
+#include "app/commands.hpp"
+#include "app/prepare.hpp"
+#include "bench/guard.hpp"
+#include "bench/measure.hpp"
+#include "bench/options.hpp"
+#include "bench/plot.hpp"
+#include "bench/report.hpp"
+#include "io/atomic_file.hpp"
+
+#include <fmt/format.h>
+#include <unistd.h>
+#include <CLI/Config.hpp>
+#include <CLI/Formatter.hpp>
+#include <nlohmann/json.hpp>
+
+#include <algorithm>
+#include <cstdio>
+#include <filesystem>
+#include <memory>
+#include <string>
+
+namespace pelage::app {
+
+namespace {
+
+struct BenchOptions {
+    bench::Options what;
+    std::filesystem::path json, plot, guard;
+};
+
+// A line that the next one replaces on a terminal; in a log nothing but the results is wanted.
+void say(const std::string& text) {
+    if (isatty(STDERR_FILENO) != 0) fmt::print(stderr, "\r\x1b[K{}", text);
+}
+
+int finish(const BenchOptions& options, const bench::Report& report) {
+    if (isatty(STDERR_FILENO) != 0) fmt::print(stderr, "\r\x1b[K");
+    fmt::print("{}", bench::tables(report));
+    if (!options.json.empty()) {
+        const auto replace = nlohmann::ordered_json::error_handler_t::replace;  // a driver may not speak UTF-8
+        write_file(options.json, bench::json_of(report, options.what).dump(2, ' ', false, replace) + "\n");
+    }
+    if (!options.plot.empty()) bench::plot(report, options.plot);
+    const bool wrong = std::ranges::any_of(report.notes, [](const bench::Note& note) { return note.wrong; });
+    return wrong ? failed_check : success;
+}
+
+int bench_all(const BenchOptions& options) { return finish(options, bench::measure(options.what, say)); }
+
+// The shares of several calls under the yardsticks of the first.
+void join(bench::Report& all, bench::Report part) {
+    if (all.yardsticks.empty()) {
+        all.yardsticks = part.yardsticks;
+        all.load = part.load;
+    }
+    all.results.insert(all.results.end(), part.results.begin(), part.results.end());
+    all.notes.insert(all.notes.end(), part.notes.begin(), part.notes.end());
+}
+
+int bench_guard(const BenchOptions& options) {
+    const bench::Guard guard = bench::read_guard(options.guard);
+    bench::Report report;
+    for (const bench::Options& part : bench::options_for(guard, options.what)) join(report, bench::measure(part, say));
+    const int exit_code = finish(options, report);
+    const bench::Verdict verdict = bench::judge(guard, bench::ratios(report));
+    fmt::print("\n{}", verdict.text);
+    return verdict.kept ? exit_code : failed_check;
+}
+
+int run_bench(const BenchOptions& options) {
+    check(options.what);
+    for (const auto& file : {options.json, options.plot}) {
+        if (!file.empty()) prepare_json(file);
+    }
+    return options.guard.empty() ? bench_all(options) : bench_guard(options);
+}
+
+}  // namespace
+
+void add_bench(CLI::App& app, int& exit_code) {
+    const auto options = std::make_shared<BenchOptions>();
+    CLI::App* command =
+        app.add_subcommand("bench", "Measure how fast the backends are, after checking that they agree to the bit");
+    const auto list = [&](const char* name, auto& value, const char* text, const char* type) {
+        command->add_option(name, value, text)->delimiter(',')->type_name(type);
+    };
+    command->add_option("--suite", options->what.suite, "lattice, cells, neighbours, growth or all (default all)")
+        ->type_name("NAME");
+    command->add_option("--device", options->what.device, "Index or name of an OpenCL device, or all")
+        ->type_name("DEVICE");
+    list("--against", options->what.against,
+         "Backends beside opencl: reference, openmp, nanoflann, nanoflann-openmp, opencl-plain, opencl-step, "
+         "opencl-fast",
+         "LIST");
+    list("--sizes", options->what.sizes, "Sides of lattices; numbers of free cells and points", "LIST");
+    list("--cases", options->what.cases, "Only these cases of the suites; all: every one", "LIST");
+    command->add_option("--runs", options->what.runs, "Runs of each backend, turn by turn (default 5)")->type_name("N");
+    command->add_flag("--quick", options->what.quick, "Small sizes and short runs: to see that all works");
+    command->add_option("--json", options->json, "Write results to this file too")->type_name("FILE");
+    command->add_option("--plot", options->plot, "Draw FILE.roofline.png and FILE.scaling.png")->type_name("FILE");
+    command
+        ->add_option("--guard", options->guard,
+                     "Measure what this table of ratios names; exit code 1 where one is lost")
+        ->type_name("FILE");
+    command->callback([options, &exit_code] { exit_code = run_bench(*options); });
+}
+
+}  // namespace pelage::app

@@ -1,0 +1,221 @@
+// See cases.hpp. Bytes: every array that a step must read or write is counted once a cell, float; caches are free.
+// Flops of a nine-point step: a field's sums 8, its update 2; Turing 5, Gray-Scott 9, linked to the sum by 2 fma;
+// bounds 2 a field.
+#include "bench/cases.hpp"
+
+#include "language/parse.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace pelage::bench {
+
+namespace {
+
+const std::vector<std::size_t> lattice_sides{10, 32, 100, 128, 256, 512, 1024, 2048, 3162, 4096};
+const std::vector<std::size_t> middle_sides{1024};
+const std::vector<std::size_t> quick_sides{24, 48};
+
+std::size_t square(std::size_t side) { return side * side; }
+
+std::string turing(std::size_t side, const char* boundary) {
+    return fmt::format(
+        "define chemical U limit 6\ndefine chemical V\ndefine time_step 0.01\nuse seed 7\n"
+        "use chemical U conc 4 diff 10\nuse chemical V conc 4.5 dev 0.5 diff 2\n"
+        "create matrix {0} {0} {1}\nrule always react U V turing alpha 16 beta 12\n",
+        side, boundary);
+}
+
+std::string gray_scott(std::size_t side, const char* boundary) {
+    return fmt::format(
+        "define chemical U limit 1\ndefine chemical V limit 1\nuse seed 7\n"
+        "use chemical U conc 0.75 dev 0.25 diff 0.2\nuse chemical V conc 0.2 dev 0.2 diff 0.1\n"
+        "create matrix {0} {0} {1}\nrule always react U V gray-scott f 0.037 k 0.06\n",
+        side, boundary);
+}
+
+// One chemical driven to either side of a threshold.
+std::string reinforcement(std::size_t side) {
+    return fmt::format(
+        "define chemical C floor none\ndefine time_step 0.0015\nuse seed 7\n"
+        "use chemical C conc 5 dev 3 diff 1\ncreate matrix {0} {0} no-flux\n"
+        "rule always react C reinforcement threshold 5 width 5\n",
+        side);
+}
+
+// A pattern and a third chemical that follows it.
+std::string three_chemicals(std::size_t side) {
+    return fmt::format(
+        "define chemical U\ndefine chemical V floor 2\ndefine chemical C floor none\ndefine time_step 0.0015\n"
+        "use seed 7\nuse chemical U conc 4 diff 200\nuse chemical V conc 4 dev 0.5 diff 5\n"
+        "use chemical C conc 5 dev 3 diff 1\ncreate matrix {0} {0} no-flux\n"
+        "rule always react U V turing alpha 16 beta 12\n"
+        "rule always react C reinforcement threshold 5 width 5\n",
+        side);
+}
+
+// V spreads along the polarity of each cell only.
+std::string anisotropic(std::size_t side) {
+    return fmt::format(
+        "define chemical U\ndefine chemical V anisotropic\nuse seed 7\n"
+        "use chemical U conc 4 dev 1 diff 0.024\nuse chemical V conc 4 dev 1 diff 0.00625\n"
+        "use polarity 30 dev 60\ncreate matrix {0} {0} no-flux\n"
+        "rule always react U V scale 0.008 turing alpha 16 beta 12\n",
+        side);
+}
+
+std::string noise(std::size_t side) {
+    return turing(side, "wrap") + "rule probability 0.01 change V conc 0.1 dev 0.05\n";
+}
+
+struct Hexagons {
+    std::size_t columns = 1;
+    std::size_t rows = 1;
+};
+
+// About as wide as high: rows are 1.7321 apart, columns 2.
+Hexagons hexagons(std::size_t cells) {
+    const auto columns = std::max<std::size_t>(
+        1, static_cast<std::size_t>(std::lround(std::sqrt(static_cast<double>(cells) * 1.7321 / 2))));
+    return {columns, std::max<std::size_t>(1, (cells + columns / 2) / columns)};
+}
+
+std::size_t hexagon_count(std::size_t cells) { return hexagons(cells).columns * hexagons(cells).rows; }
+
+std::string tissue(std::size_t cells, const char* more) {
+    const Hexagons grid = hexagons(cells);
+    return fmt::format(
+        "define chemical U\ndefine chemical V\ndefine domain {0} {0}\ndefine division_limit 6\nuse seed 7\n"
+        "use chemical U conc 4 dev 2 diff 0.15\nuse chemical V conc 4 dev 2 diff 0.01\n"
+        "create hex_grid {1} {2} dev 0.2\nrule always react U V scale 0.01 turing alpha 16 beta 12\n{3}",
+        4 * std::max(grid.columns, grid.rows) + 100, grid.columns, grid.rows, more);
+}
+
+Case lattice(std::string name, std::vector<std::size_t> sizes, double bytes, double flops,
+             std::function<std::string(std::size_t)> text) {
+    Case one;
+    one.suite = "lattice";
+    one.name = std::move(name);
+    one.sizes = std::move(sizes);
+    one.quick_sizes = quick_sides;
+    one.text = std::move(text);
+    one.cells = square;
+    one.bytes = bytes;
+    one.flops = flops;
+    return one;
+}
+
+std::vector<Case> lattice_cases() {
+    std::vector<Case> cases;
+    cases.push_back(lattice("turing", lattice_sides, 16, 32, [](std::size_t n) { return turing(n, "wrap"); }));
+    cases.back().kernel = Kernel{Model::turing, true};
+    cases.push_back(
+        lattice("turing-no-flux", middle_sides, 16, 32, [](std::size_t n) { return turing(n, "no-flux"); }));
+    cases.back().kernel = Kernel{Model::turing, false};
+    cases.push_back(lattice("gray-scott", {256, 1024}, 16, 37, [](std::size_t n) { return gray_scott(n, "wrap"); }));
+    cases.back().kernel = Kernel{Model::gray_scott, true};
+    cases.push_back(
+        lattice("gray-scott-no-flux", middle_sides, 16, 37, [](std::size_t n) { return gray_scott(n, "no-flux"); }));
+    cases.back().kernel = Kernel{Model::gray_scott, false};
+    cases.back().by_default = false;
+    cases.push_back(lattice("reinforcement", middle_sides, 8, 23, reinforcement));
+    cases.push_back(lattice("three-chemicals", middle_sides, 24, 53, three_chemicals));
+    // Eight pairs: two rates with two roundings each (14), their mean (5), the exchange (4).
+    cases.push_back(lattice("anisotropic", middle_sides, 28, 20 + 8 * 23, anisotropic));
+    // A draw of Philox is about 100 whole-number operations.
+    cases.push_back(lattice("noise", middle_sides, 16, 132, noise));
+    return cases;
+}
+
+// A list of neighbours holds about 8 ids in a tissue at rest; each costs 20 flops (distance, two exchanges, a push).
+std::vector<Case> cell_cases() {
+    Case one;
+    one.suite = "cells";
+    one.name = "tissue";
+    one.sizes = {6'000, 20'000, 100'000, 1'000'000};
+    one.quick_sizes = {600, 2'000};
+    one.text = [](std::size_t cells) { return tissue(cells, ""); };
+    one.cells = hexagon_count;
+    one.bytes = 24 + 20 + 4 * 9;
+    one.flops = 8 * 20 + 20;
+    return {one};
+}
+
+// Written: a list of about 8 ids and its length. Looked at: about 28 points in nine bins, 5 flops each.
+std::vector<Case> neighbour_cases() {
+    std::vector<Case> cases;
+    for (const bool shuffled : {false, true}) {
+        Case one;
+        one.suite = "neighbours";
+        one.name = shuffled ? "scattered" : "hexagonal";
+        one.sizes = {20'000, 100'000, 1'000'000};
+        one.quick_sizes = {600, 2'000};
+        one.cells = [](std::size_t points) { return points; };
+        one.bytes = 8 + 4 * 9;
+        one.flops = 28 * 5;
+        one.shuffled = shuffled;
+        cases.push_back(one);
+    }
+    return cases;
+}
+
+std::vector<Case> growth_cases() {
+    Case matrix;
+    matrix.suite = "growth";
+    matrix.name = "expansion";
+    matrix.sizes = {130, 512};
+    matrix.quick_sizes = {24};
+    matrix.text = [](std::size_t side) {
+        return three_chemicals(side) + "rule every 50 always expand rows 1 columns 1 first rows\n";
+    };
+    matrix.cells = square;
+    matrix.whole = 3'000;
+    matrix.bytes = 24;
+    matrix.flops = 53;
+
+    Case tissues;
+    tissues.suite = "growth";
+    tissues.name = "division";
+    tissues.sizes = {6'000, 100'000};
+    tissues.quick_sizes = {600};
+    tissues.text = [](std::size_t cells) {
+        return tissue(cells, "rule probability 0.0002 divide direction 0 dev 180\n");
+    };
+    tissues.cells = hexagon_count;
+    tissues.whole = 1'000;
+    tissues.bytes = cell_cases().front().bytes;
+    tissues.flops = cell_cases().front().flops;
+    return {matrix, tissues};
+}
+
+}  // namespace
+
+const std::vector<Case>& all_cases() {
+    static const std::vector<Case> cases = [] {
+        std::vector<Case> list;
+        for (const auto& part : {lattice_cases(), cell_cases(), neighbour_cases(), growth_cases()}) {
+            list.insert(list.end(), part.begin(), part.end());
+        }
+        return list;
+    }();
+    return cases;
+}
+
+std::vector<Case> chosen_cases(const Options& options) {
+    std::vector<Case> chosen;
+    for (const Case& one : all_cases()) {
+        if (options.suite != "all" && options.suite != one.suite) continue;
+        const auto named = [&](const std::string& word) { return word == "all" || word == one.name; };
+        const bool asked = std::ranges::any_of(options.cases, named);
+        if (options.cases.empty() ? one.by_default : asked) chosen.push_back(one);
+    }
+    return chosen;
+}
+
+Experiment experiment_of(const Case& one, std::size_t size) {
+    return parse_experiment(one.text(size), fmt::format("bench case {} {}", one.name, size), ".");
+}
+
+}  // namespace pelage::bench

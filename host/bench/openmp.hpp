@@ -1,0 +1,26 @@
+// The C++ baseline with OpenMP and simd: an honest one, written by hand for exactly the case at hand.
+#pragma once
+
+#include "bench/cases.hpp"
+#include "bench/task.hpp"
+#include "core/snapshot.hpp"
+
+#include <memory>
+#include <string>
+
+namespace pelage::bench {
+
+// Why there is no OpenMP here or no baseline for this case; empty: there is one.
+std::string why_no_openmp(const Case&);
+
+int openmp_threads();
+
+// Two fields, nine-point stencil, one step a pass over memory: a strip of rows each thread, sums of rows shared between
+// rows. State as in the snapshot.
+std::unique_ptr<Task> openmp_lattice(const Kernel&, const Experiment&, const Snapshot& initial);
+
+// Two chemicals, Turing reaction, collision: neighbour lists with a skin, reused until a cell has moved half of it;
+// cells sorted by bins, 16 side by side.
+std::unique_ptr<Task> openmp_cells(const Experiment&, const Snapshot& initial);
+
+}  // namespace pelage::bench

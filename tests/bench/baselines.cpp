@@ -1,0 +1,100 @@
+// The hand-written baselines give the reference's bits: otherwise they would be measured for other work.
+#include "bench/cases.hpp"
+#include "bench/openmp.hpp"
+#include "bench/points.hpp"
+#include "bench/tissue_tasks.hpp"
+#include "core/prepattern.hpp"
+#include "language/parse.hpp"
+
+#include <fmt/format.h>
+#include <catch2/catch.hpp>
+
+#include <string>
+#include <vector>
+
+using namespace pelage;
+
+namespace {
+
+std::string matrix(const std::string& reaction, std::size_t columns, std::size_t rows, const char* boundary) {
+    return fmt::format(
+        "define chemical U limit 4.6\ndefine chemical V floor 0.1\ndefine time_step 0.02\nuse seed 5\n"
+        "use chemical U conc 4 dev 0.75 diff 5\nuse chemical V conc 0.5 dev 0.5 diff 1.5\n"
+        "create matrix {} {} {}\nrule always react U V scale 0.75 {}\n",
+        columns, rows, boundary, reaction);
+}
+
+// Empty when both have the same bits after `iterations`, in three stretches for the baseline.
+std::string compared(bench::Task& expected, bench::Task& found, std::uint64_t iterations,
+                     const bench::Outcome& initial) {
+    expected.work(iterations);
+    found.work(1);
+    found.work(iterations / 2);
+    found.work(iterations - 1 - iterations / 2);
+    return bench::disagreement(initial, expected.outcome(), found.outcome());
+}
+
+}  // namespace
+
+TEST_CASE("the OpenMP lattice has the reference's bits at any size and boundary") {
+    const std::vector<std::pair<Model, std::string>> models{{Model::turing, "turing alpha 16 beta 12"},
+                                                            {Model::gray_scott, "gray-scott f 0.37 k 0.6"}};
+    const std::vector<std::pair<std::size_t, std::size_t>> sizes{{1, 1},  {1, 5},   {7, 1},   {2, 3},
+                                                                 {16, 4}, {17, 31}, {65, 33}, {300, 20}};
+    for (const auto& [model, text] : models) {
+        for (const bool wrap : {true, false}) {
+            for (const auto& [columns, rows] : sizes) {
+                INFO(text << (wrap ? " wrap " : " no-flux ") << columns << " x " << rows);
+                const Experiment experiment =
+                    parse_experiment(matrix(text, columns, rows, wrap ? "wrap" : "no-flux"), "test", ".");
+                const auto initial = std::make_shared<const Snapshot>(initial_state(experiment));
+                const auto reference = bench::reference_task(experiment, initial);
+                const auto baseline = bench::openmp_lattice({model, wrap}, experiment, *initial);
+
+                CHECK(compared(*reference, *baseline, 24, bench::outcome_of(*initial)) == "");
+            }
+        }
+    }
+}
+
+TEST_CASE("the OpenMP cell step has the reference's bits while cells move and lists are renewed") {
+    const auto& cases = bench::all_cases();
+    const auto one = std::ranges::find_if(cases, [](const bench::Case& c) { return c.name == "tissue"; });
+    REQUIRE(one != cases.end());
+    for (const std::size_t cells : {1u, 2u, 40u, 1500u}) {
+        INFO(cells << " cells");
+        std::string text = one->text(cells);
+        text.replace(text.find("dev 0.2\n"), 8, "dev 1.5\n");  // they lie on top of each other and must move far
+        const Experiment experiment = parse_experiment(text, "test", ".");
+        const auto initial = std::make_shared<const Snapshot>(initial_state(experiment));
+        const auto reference = bench::reference_task(experiment, initial);
+        const auto baseline = bench::openmp_cells(experiment, *initial);
+
+        CHECK(compared(*reference, *baseline, 150, bench::outcome_of(*initial)) == "");
+
+        baseline->restart();
+        CHECK(bench::disagreement({}, bench::outcome_of(*initial), baseline->outcome()) == "");
+    }
+}
+
+TEST_CASE("all searches of the neighbours suite find the same sets") {
+    const auto session = std::make_shared<const Session>(select_device(), OpenclOptions{});
+    for (const bool shuffled : {false, true}) {
+        for (const std::size_t count : {1u, 17u, 3000u}) {
+            INFO(count << (shuffled ? " scattered" : " hexagonal"));
+            const bench::Points points = bench::make_points(count, shuffled);
+            const auto reference = bench::reference_search(points);
+            const auto one_thread = bench::nanoflann_search(points, false);
+            const auto threads = bench::nanoflann_search(points, true);
+            const auto device = bench::opencl_search(session, points);
+            for (bench::Task* task : {reference.get(), one_thread.get(), threads.get(), device.get()}) task->work(2);
+
+            const bench::Outcome expected = reference->outcome();
+
+            CHECK((count < 100 || expected[1].words.size() > 5 * count));
+            CHECK(bench::disagreement({}, expected, one_thread->outcome()) == "");
+            CHECK(bench::disagreement({}, expected, threads->outcome()) == "");
+            CHECK(bench::disagreement({}, expected, device->outcome()) == "");
+        }
+    }
+}
