@@ -98,7 +98,7 @@ __kernel void pelage_cells_step(int n, int pitch, PELAGE_CELLS(const, _old), PEL
         const int most = pelage_largest(length);
         const intv self = (intv)(first) + AS_INTV(LANES);
         const mask loose = TO_MASK(LOAD(fixed_old + first) == 0);
-        __global const int* restrict list = lists + (long)(first / 16) * capacity * 16 + first % 16;
+        __global const int* restrict list = lists + (long)(first & ~15) * capacity + (first & 15);
         intv count = 0;
         for (int k = 0; k < most; ++k) {
             const intv listed = (intv)(k) < length;

@@ -5,7 +5,7 @@
 #define PELAGE_BLOCK 16
 
 static inline long pelage_list_begin(int place, int capacity) {
-    return (long)(place / PELAGE_BLOCK) * capacity * PELAGE_BLOCK + place % PELAGE_BLOCK;
+    return (long)(place & ~(PELAGE_BLOCK - 1)) * capacity + (place & (PELAGE_BLOCK - 1));
 }
 
 // What does not fit is counted only.

@@ -77,7 +77,7 @@ __kernel void pelage_matrix_lists(__global const scalar* restrict x, __global co
         return;
     }
     const int row = place / side;
-    const int column = place % side;
+    const int column = place - row * side;
     __global int* restrict list = lists + pelage_list_begin(cell[place], capacity);
     int length = 0;
     for (int r = max(row - reach, 0); r <= min(row + reach, side - 1); ++r) {

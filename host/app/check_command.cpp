@@ -4,6 +4,7 @@
 #include "core/error.hpp"
 #include "core/prepattern.hpp"
 #include "language/parse.hpp"
+#include "opencl/explain.hpp"
 
 #include <fmt/format.h>
 #include <CLI/Config.hpp>
@@ -22,7 +23,7 @@ std::string counted(std::size_t count, const char* one, const char* many) {
     return fmt::format("{} {}", grouped(count), count == 1 ? one : many);
 }
 
-int check(const std::vector<std::string>& files) {
+int check(const std::vector<std::string>& files, bool explain) {
     int exit_code = success;
     for (const std::string& file : files) {
         try {
@@ -32,6 +33,10 @@ int check(const std::vector<std::string>& files) {
                        counted(experiment.chemicals.size(), "chemical", "chemicals"),
                        counted(experiment.rules.size(), "rule", "rules"),
                        counted(experiment.last_iteration(), "iteration", "iterations"));
+            if (!explain || !is_lattice(experiment)) continue;
+            for (const std::string& line : explain_lattice(experiment, initial_state(experiment), Precision::single_)) {
+                fmt::print("  {}\n", line);
+            }
         } catch (const Error& error) {
             fmt::print(stderr, "pelage: {}\n", error.what());
             exit_code = bad_input;
@@ -46,7 +51,10 @@ void add_check(CLI::App& app, int& exit_code) {
     const auto files = std::make_shared<std::vector<std::string>>();
     CLI::App* command = app.add_subcommand("check", "Read experiments and say what is wrong with them; run nothing");
     command->add_option("FILE", *files, "Experiments (.pex)")->required()->type_name("");
-    command->callback([files, &exit_code] { exit_code = check(*files); });
+    const auto explain = std::make_shared<bool>(false);
+    command->add_flag("--explain", *explain,
+                      "Say of lattices which iterations are fused on CPUs, and why others are not");
+    command->callback([files, explain, &exit_code] { exit_code = check(*files, *explain); });
 }
 
 }  // namespace pelage::app

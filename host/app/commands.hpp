@@ -7,7 +7,7 @@ namespace pelage::app {
 
 // Exit codes of every subcommand.
 inline constexpr int success = 0;
-inline constexpr int failed_check = 1;  // a run met NaN or infinity
+inline constexpr int failed_check = 1;  // a run met NaN or infinity, a check failed
 inline constexpr int bad_input = 2;     // nothing, or not all, could be done: the message says why
 inline constexpr int interrupted = 130;
 
@@ -15,5 +15,7 @@ inline constexpr int interrupted = 130;
 void add_run(CLI::App&, int& exit_code);
 void add_devices(CLI::App&, int& exit_code);
 void add_check(CLI::App&, int& exit_code);
+void add_verify(CLI::App&, int& exit_code);
+void add_bench(CLI::App&, int& exit_code);
 
 }  // namespace pelage::app

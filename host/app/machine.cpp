@@ -8,6 +8,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cstdlib>
 #include <fstream>
 
 namespace pelage::app {
@@ -32,7 +33,9 @@ Machine on_reference(const RunOptions& options, const Experiment& experiment) {
                     processor_name(),
                     __VERSION__,
                     "C++",
-                    "-ffp-contract=off"};
+                    "-ffp-contract=off",
+                    {},
+                    {}};
     const std::string reason = machine.backend->why_not(experiment);
     if (!reason.empty()) throw Error(fmt::format("the reference cannot run this experiment: {}", reason));
     return machine;
@@ -52,14 +55,18 @@ Machine on_opencl(const RunOptions& options, const Experiment& experiment, const
     if (reason.empty()) reason = why_not_on_device(footprint, static_cast<double>(device.memory));
     if (!reason.empty()) throw Error(fmt::format("device '{}' cannot run this experiment: {}", device.name, reason));
     std::string build_options = backend->build_options();
-    return {std::move(backend), "opencl", {}, device.name, device.driver, device.platform, std::move(build_options)};
+    wanted.device = std::to_string(device.index);
+    return {std::move(backend),       "opencl", {},    device.name, device.driver, device.platform,
+            std::move(build_options), wanted,   device};
 }
 
 }  // namespace
 
 Machine choose_machine(const RunOptions& options, const Experiment& experiment, const Footprint& footprint) {
     if (options.backend == "reference") return on_reference(options, experiment);
-    if (options.backend == "opencl" || !options.device.empty() || options.fast) {
+    const char* variable = std::getenv("PELAGE_DEVICE");
+    const bool device_asked_for = !options.device.empty() || (variable != nullptr && *variable != '\0');
+    if (options.backend == "opencl" || device_asked_for || options.fast) {
         return on_opencl(options, experiment, footprint);
     }
     try {

@@ -5,8 +5,10 @@
 #include "app/run_options.hpp"
 #include "core/experiment.hpp"
 #include "core/tissue.hpp"
+#include "opencl/backend.hpp"
 
 #include <memory>
+#include <optional>
 #include <string>
 
 namespace pelage::app {
@@ -19,6 +21,8 @@ struct Machine {
     std::string driver;  // its version; the compiler's for the reference
     std::string platform;
     std::string build_options;
+    std::optional<OpenclOptions> opencl;  // what the backend was made with, its device named by index
+    DeviceInfo info;                      // of an OpenCL device
 };
 
 // Without options.backend: OpenCL where a device is usable for this experiment, else the reference. A backend or device

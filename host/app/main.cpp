@@ -44,11 +44,13 @@ int run(int argc, char** argv) {
     app.require_subcommand(1);
     app.get_formatter()->column_width(34);
     app.footer(
-        "Exit codes: 0 success; 1 a run met NaN or infinity; 2 bad input; 130 stopped by Ctrl-C.\n"
+        "Exit codes: 0 success; 1 a run met NaN or infinity, a check failed; 2 bad input; 130 stopped by Ctrl-C.\n"
         "`pelage COMMAND --help` tells the options of one command.");
     pelage::app::add_run(app, exit_code);
     pelage::app::add_devices(app, exit_code);
     pelage::app::add_check(app, exit_code);
+    pelage::app::add_verify(app, exit_code);
+    pelage::app::add_bench(app, exit_code);
     const int parsed = parse(app, argc, argv);
     if (parsed != pelage::app::success) return parsed;
     if (std::fflush(stdout) != 0) return complain("standard output cannot be written");

@@ -55,6 +55,8 @@ void add_machine_options(CLI::App& command, RunOptions& options) {
         ->check(one_of({"8", "24", "48", "80", "120"}));
     command.add_flag("--fast", options.fast,
                      "Let the OpenCL compiler reorder arithmetic: faster, but no longer the reference's bits");
+    command.add_flag("--no-self-test", options.no_self_test,
+                     "Run even on a device that fails, or without asking it, the test in small before a run");
     command.add_flag("--no-cache", options.no_cache, "Compile device programs anew, and keep none on disk");
 }
 
@@ -102,6 +104,8 @@ void add_result_options(CLI::App& command, RunOptions& options) {
         ->check(one_of({"circle", "hexagon", "voronoi"}));
     command.add_flag("--polarity-marks", options.polarity_marks, "Draw a line along each free cell's polarity");
     command.add_option("--json", options.json, "Write the manifest to this file too")->type_name("FILE");
+    command.add_flag("--explain", options.explain,
+                     "Say in the end how the iterations of a lattice were carried out: fused or not, and why");
     command.add_flag("--quiet", options.quiet, "Say nothing but errors");
 }
 

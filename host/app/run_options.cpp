@@ -48,9 +48,11 @@ std::string resume_command(const RunOptions& options, const std::filesystem::pat
     if (options.checkpoint_every != 0) add("--checkpoint-every", std::to_string(options.checkpoint_every));
     add("--json", options.json.string());
     add("--cells", options.cells == "circle" ? "" : options.cells);
-    for (const auto& [set, option] : {std::pair(options.polarity_marks, "--polarity-marks"),
-                                      std::pair(options.quiet, "--quiet"), std::pair(options.fast, "--fast"),
-                                      std::pair(options.no_cache, "--no-cache"), std::pair(options.force, "--force")}) {
+    for (const auto& [set, option] :
+         {std::pair(options.polarity_marks, "--polarity-marks"), std::pair(options.quiet, "--quiet"),
+          std::pair(options.explain, "--explain"),
+          std::pair(options.fast, "--fast"), std::pair(options.no_cache, "--no-cache"),
+          std::pair(options.no_self_test, "--no-self-test"), std::pair(options.force, "--force")}) {
         if (set) words.emplace_back(option);
     }
     add("--resume", checkpoint.string());

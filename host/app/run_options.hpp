@@ -32,6 +32,8 @@ struct RunOptions {
     bool quiet = false;
     bool fast = false;
     bool no_cache = false;
+    bool explain = false;
+    bool no_self_test = false;
     bool force = false;
 
     NeighbourSearch neighbour_search() const;

@@ -90,11 +90,11 @@ TEST_CASE("option --help names every option and --version the version") {
     const Outcome version = command({"--version"});
 
     CHECK(general.exit_code == 0);
-    CHECK_THAT(general.out, Contains("run") && Contains("devices") && Contains("check"));
+    CHECK_THAT(general.out, Contains("run") && Contains("devices") && Contains("check") && Contains("verify"));
     CHECK(run.exit_code == 0);
     for (const char* option :
          {"--backend", "--device", "--precision", "--iterations", "--seed", "--out", "--format", "--snap-every",
-          "--checkpoint-every", "--resume", "--json", "--quiet", "--fast", "--no-cache", "--force"}) {
+          "--checkpoint-every", "--resume", "--json", "--quiet", "--fast", "--no-cache", "--no-self-test", "--force"}) {
         CHECK_THAT(run.out, Contains(option));
     }
     CHECK(version.exit_code == 0);

@@ -79,7 +79,8 @@ std::vector<std::string> names_in(const std::filesystem::path& folder) {
     return names;
 }
 
-Child::Child(const std::vector<std::string>& words, const Surroundings& surroundings) {
+Child::Child(const std::vector<std::string>& words, const Surroundings& surroundings)
+    : patience_(surroundings.patience) {
     id_ = fork();
     REQUIRE(id_ >= 0);
     if (id_ == 0) become(words, surroundings, folder_.path());
@@ -99,7 +100,7 @@ bool Child::running() {
 void Child::signal(int number) const { kill(id_, number); }
 
 Outcome Child::wait() {
-    const auto end = std::chrono::steady_clock::now() + patience;
+    const auto end = std::chrono::steady_clock::now() + patience_;
     while (running()) {
         if (std::chrono::steady_clock::now() > end)
             FAIL("the command did not end; it said: " << read_all(folder_ / "err"));

@@ -3,6 +3,7 @@
 
 #include <sys/types.h>
 
+#include <chrono>
 #include <cstddef>
 #include <filesystem>
 #include <map>
@@ -40,6 +41,7 @@ struct Surroundings {
     std::map<std::string, std::string> environment;  // beside the test's own
     std::filesystem::path folder;                    // to start in; empty: the test's own
     std::size_t largest_file = 0;                    // bytes; writing more fails as on a full disk; 0: no limit
+    std::chrono::seconds patience{120};              // how long it may take
 };
 
 class Child {
@@ -49,12 +51,14 @@ public:
     Child(const Child&) = delete;
     Child& operator=(const Child&) = delete;
 
+    pid_t id() const { return id_; }
     bool running();
     void signal(int number) const;
-    Outcome wait();  // fails the test after two minutes
+    Outcome wait();  // fails the test when it takes longer than it may
 
 private:
     Folder folder_;
+    std::chrono::seconds patience_;
     pid_t id_ = -1;
     int status_ = 0;
     bool ended_ = false;

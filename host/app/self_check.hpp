@@ -1,0 +1,19 @@
+// The self-test that comes before every run on OpenCL, and the memory of those that were passed.
+#pragma once
+
+#include "app/run_options.hpp"
+#include "core/experiment.hpp"
+#include "core/snapshot.hpp"
+#include "opencl/backend.hpp"
+
+#include <cstdint>
+#include <string>
+
+namespace pelage::app {
+
+// Empty when the device gave the reference's answers, now or earlier under the same device, driver, program and
+// experiment; otherwise one sentence that names what is wrong and `pelage verify`.
+std::string self_check(const OpenclOptions&, const DeviceInfo&, const Experiment&, const Snapshot& initial,
+                       std::uint64_t last);
+
+}  // namespace pelage::app

@@ -1,0 +1,192 @@
+// See verification.hpp.
+#include "app/verification.hpp"
+
+#include "app/progress.hpp"
+#include "app/run_options.hpp"
+#include "app/worker.hpp"
+#include "core/error.hpp"
+#include "opencl/session.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+#include <nlohmann/json.hpp>
+
+#include <algorithm>
+#include <chrono>
+#include <cstdio>
+#include <deque>
+#include <iostream>
+#include <memory>
+#include <optional>
+#include <thread>
+
+#include <poll.h>
+#include <unistd.h>
+
+namespace pelage::app {
+
+namespace {
+
+using verify::Check;
+using verify::Result;
+using Clock = std::chrono::steady_clock;
+
+std::vector<std::string> worker_arguments(const DeviceInfo& device, const VerifyOptions& options) {
+    std::vector<std::string> words{"verify",     "--worker",
+                                   "--device",   std::to_string(device.index),
+                                   "--seed",     std::to_string(options.seed),
+                                   "--evidence", options.evidence.string()};
+    words.emplace_back(options.full ? "--full" : "--quick");
+    if (options.small) words.emplace_back("--small");
+    return words;
+}
+
+class Dealer {
+public:
+    Dealer(const DeviceInfo& device, const std::vector<Check>& checks, const VerifyOptions& options)
+        : checks_(checks), options_(options), arguments_(worker_arguments(device, options)), results_(checks.size()) {}
+
+    std::vector<Result> run() {
+        seats_.resize(std::clamp<std::size_t>(jobs(), 1, checks_.size()));
+        for (Seat& seat : seats_) next(seat);
+        while (done_ < checks_.size()) wait();
+        show("");
+        return std::move(results_);
+    }
+
+private:
+    struct Seat {
+        std::unique_ptr<Worker> worker;
+        std::optional<std::size_t> check;  // what it is at
+    };
+
+    std::size_t jobs() const {
+        if (options_.jobs != 0) return options_.jobs;
+        return std::min<std::size_t>(4, std::max(1u, std::thread::hardware_concurrency()));
+    }
+
+    void next(Seat& seat) {
+        seat.check.reset();
+        if (asked_ == checks_.size()) {
+            seat.worker.reset();
+            return;
+        }
+        if (!seat.worker) seat.worker = std::make_unique<Worker>(arguments_);
+        seat.check = asked_++;
+        show(checks_[*seat.check].name);
+        seat.worker->ask(checks_[*seat.check].name);
+    }
+
+    void wait() {
+        std::vector<pollfd> waiting;
+        std::vector<Seat*> busy;
+        for (Seat& seat : seats_) {
+            if (!seat.check) continue;
+            waiting.push_back({seat.worker->output(), POLLIN, 0});
+            busy.push_back(&seat);
+        }
+        poll(waiting.data(), waiting.size(), 500);
+        for (std::size_t i = 0; i < busy.size(); ++i) {
+            if (waiting[i].revents != 0) {
+                hear(*busy[i]);
+            } else if (Clock::now() - busy[i]->worker->asked() > std::chrono::seconds(options_.limit)) {
+                give_up(*busy[i], fmt::format("did not end within {} seconds", options_.limit));
+            }
+        }
+    }
+
+    void hear(Seat& seat) {
+        const std::optional<std::string> answer = seat.worker->take();
+        if (answer) {
+            put(*seat.check, verify::result_from_json(nlohmann::ordered_json::parse(*answer)));
+            next(seat);
+        } else if (seat.worker->ended()) {
+            give_up(seat, "");
+        }
+    }
+
+    void give_up(Seat& seat, const std::string& reason) {
+        const auto taken = Clock::now() - seat.worker->asked();
+        const std::string end = seat.worker->end();
+        Result result;
+        result.name = checks_[*seat.check].name;
+        result.kernel = checks_[*seat.check].kernel;
+        result.verdict = verify::Verdict::failed;
+        result.message = reason.empty() ? "the process that ran it ended with " + end : reason;
+        result.seconds = std::chrono::duration<double>(taken).count();
+        put(*seat.check, result);
+        seat.worker.reset();
+        next(seat);
+    }
+
+    void put(std::size_t check, Result result) {
+        results_[check] = std::move(result);
+        ++done_;
+    }
+
+    void show(const std::string& name) const {
+        if (options_.quiet || isatty(STDERR_FILENO) == 0) return;
+        const std::string text = name.empty() ? "" : fmt::format("[{}/{}] {}", asked_, checks_.size(), name);
+        fmt::print(stderr, "\r\x1b[K{}", text);
+        std::fflush(stderr);
+    }
+
+    const std::vector<Check>& checks_;
+    const VerifyOptions& options_;
+    std::vector<std::string> arguments_;
+    std::vector<Result> results_;
+    std::vector<Seat> seats_;
+    std::size_t asked_ = 0;
+    std::size_t done_ = 0;
+};
+
+}  // namespace
+
+std::vector<Check> selected(const VerifyOptions& options) {
+    std::vector<Check> checks;
+    for (Check& check : verify::all_checks(options.seed)) {
+        const bool in_form = options.full || check.quick;
+        if (in_form && check.name.find(options.filter) != std::string::npos) checks.push_back(std::move(check));
+    }
+    if (checks.empty()) {
+        throw Error(fmt::format("no check of the {} form has '{}' in its name; `pelage verify --list` names them",
+                                options.full ? "full" : "quick", options.filter));
+    }
+    return checks;
+}
+
+verify::DeviceReport verify_device(const DeviceInfo& device, const std::vector<Check>& checks,
+                                   const VerifyOptions& options) {
+    verify::DeviceReport report;
+    report.device = device;
+    report.build_options = Session(device, {}).build_options();
+    report.results = Dealer(device, checks, options).run();
+    return report;
+}
+
+int answer_checks(const VerifyOptions& options) {
+    const std::vector<Check> checks = verify::all_checks(options.seed);
+    verify::Place place(select_device(options.device), options.seed, options.full, options.small);
+    for (std::string name; std::getline(std::cin, name);) {
+        const auto check = std::ranges::find(checks, name, &Check::name);
+        if (check == checks.end()) throw Error("there is no check '" + name + "'");
+        const Result result = verify::judge(*check, place, options.evidence);
+        const auto replace = nlohmann::ordered_json::error_handler_t::replace;  // a driver may not speak UTF-8
+        fmt::print("\n{}{}\n", answer_mark, to_json(result).dump(-1, ' ', false, replace));
+        std::fflush(stdout);
+    }
+    return 0;
+}
+
+std::string reproduce_command(const VerifyOptions& options, const DeviceInfo& device, const std::string& check) {
+    std::vector<std::string> words{options.command, "verify", "--device", std::to_string(device.index),
+                                   options.full ? "--full" : "--quick"};
+    if (options.small) words.emplace_back("--small");
+    for (const std::string& word :
+         {std::string("--seed"), std::to_string(options.seed), std::string("--filter"), check}) {
+        words.push_back(shell_quoted(word));
+    }
+    return fmt::format("{}", fmt::join(words, " "));
+}
+
+}  // namespace pelage::app

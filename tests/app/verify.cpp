@@ -1,0 +1,147 @@
+// `pelage verify` as a user calls it: verdicts, files, exit codes, and drivers that crash or hang.
+#include "process.hpp"
+
+#include <catch2/catch.hpp>
+#include <nlohmann/json.hpp>
+
+#include <chrono>
+#include <csignal>
+#include <filesystem>
+#include <fstream>
+#include <sstream>
+#include <thread>
+
+using Catch::Contains;
+using test::Child;
+using test::command;
+using test::Folder;
+using test::Outcome;
+using test::read_all;
+
+namespace {
+
+// The process that runs the checks for a `pelage verify`, once it is there.
+pid_t worker_of(pid_t parent) {
+    for (int attempt = 0; attempt < 1000; ++attempt) {
+        for (const auto& entry : std::filesystem::directory_iterator("/proc")) {
+            std::ifstream status(entry.path() / "stat");  // "PID (NAME) STATE PARENT ..."
+            std::string line;
+            if (!std::getline(status, line)) continue;
+            std::istringstream rest(line.substr(line.rfind(')') + 1));
+            char state = 0;
+            pid_t above = 0;
+            if (!(rest >> state >> above) || above != parent) continue;
+            // Before it has become another program, its parent cannot go on either.
+            if (read_all(entry.path() / "cmdline").find("--worker") != std::string::npos) {
+                return std::stoi(entry.path().filename());
+            }
+        }
+        std::this_thread::sleep_for(std::chrono::milliseconds(5));
+    }
+    return 0;
+}
+
+// What becomes of a check whose process is sent that signal.
+Outcome disturbed(const Folder& folder, int signal) {
+    Child child({PELAGE_COMMAND, "verify", "--filter", "neighbours/many", "--full", "--jobs", "1", "--limit", "2",
+                 "--json", folder / "report.json"});
+    const pid_t worker = worker_of(child.id());
+    REQUIRE(worker != 0);
+    kill(worker, signal);
+    return child.wait();
+}
+
+}  // namespace
+
+TEST_CASE("verify finds nothing wrong with this device, in the quick form") {
+    const Folder folder;
+
+    const Outcome outcome = command({"verify", "--json", folder / "report.json", "--html", folder / "report.html"});
+
+    INFO(outcome.out << outcome.err);
+    REQUIRE(outcome.exit_code == 0);
+    CHECK_THAT(outcome.out, Contains("KERNEL") && Contains("fused steps") && Contains("VERDICT"));
+    const auto report = nlohmann::json::parse(read_all(folder / "report.json"));
+    for (const char* key : {"device", "driver", "platform", "build_options", "version", "seed"}) {
+        CHECK(report.contains(key));
+    }
+    const auto& summary = report.at("summary");
+    CHECK(summary.at("failed") == 0);
+    CHECK(summary.at("mistrusted") == 0);
+    CHECK(summary.at("cells_differing") == 0);
+    CHECK(summary.at("max_ulp") == 0);
+    CHECK(summary.at("verdict") == "passed");
+    CHECK(summary.at("cases") == report.at("cases").size());
+    CHECK(summary.at("cells_compared").get<std::uint64_t>() > 1'000'000);
+    CHECK_THAT(read_all(folder / "report.html"), Contains("</html>"));
+}
+
+TEST_CASE("verify with a filter runs only what bears that name, in the same way each time") {
+    const Folder folder;
+    const auto run = [&](const std::string& name) {
+        REQUIRE(command({"verify", "--filter", "random/", "--seed", "5", "--json", folder / name}).exit_code == 0);
+        return nlohmann::json::parse(read_all(folder / name)).at("cases");
+    };
+
+    const auto first = run("a.json");
+    const auto second = run("b.json");
+
+    REQUIRE(first.size() == 2);
+    CHECK(first[0].at("name") == "random/known-answers");
+    CHECK(first[1].at("fingerprint") == second[1].at("fingerprint"));
+}
+
+TEST_CASE("verify on all devices compares them") {
+    const Outcome outcome = command({"verify", "--device", "all", "--filter", "random/known-answers"});
+
+    INFO(outcome.out << outcome.err);
+    CHECK(outcome.exit_code == 0);
+    CHECK_THAT(outcome.out, Contains("passed:"));
+}
+
+TEST_CASE("verify --list names the checks of a form") {
+    const Outcome quick = command({"verify", "--list"});
+    const Outcome full = command({"verify", "--list", "--full"});
+
+    CHECK(quick.exit_code == 0);
+    CHECK_THAT(quick.out, Contains("diffusion/nine-point/wrap") && Contains("fused/"));
+    CHECK(full.out.size() > 2 * quick.out.size());
+}
+
+TEST_CASE("verify says what it cannot do") {
+    const Folder folder;
+    const Outcome nothing = command({"verify", "--filter", "no such check"});
+    const Outcome nowhere = command({"verify", "--device", "no such device"});
+
+    CHECK(nothing.exit_code == 2);
+    CHECK_THAT(nothing.err, Contains("no such check") && Contains("--list"));
+    CHECK(nowhere.exit_code == 2);
+    CHECK_THAT(nowhere.err, Contains("no such device"));
+    CHECK(command({"verify", "--quick", "--full"}).exit_code == 2);
+    CHECK(command({"verify", "--jobs", "0"}).exit_code == 2);
+    CHECK(command({"verify", "--seed", "many"}).exit_code == 2);
+    CHECK(command({"verify", "--filter", "random/known", "--json", folder.path()}).exit_code == 2);
+}
+
+TEST_CASE("a check whose process dies has failed, and says how to run it alone") {
+    const Folder folder;
+
+    const Outcome outcome = disturbed(folder, SIGSEGV);
+
+    INFO(outcome.out << outcome.err);
+    REQUIRE(outcome.exit_code == 1);
+    CHECK_THAT(outcome.out, Contains("neighbours/many: failed") && Contains("signal 11"));
+    CHECK_THAT(outcome.out, Contains("verify --device") && Contains("--full") && Contains("--filter neighbours/many"));
+    const auto report = nlohmann::json::parse(read_all(folder / "report.json"));
+    CHECK(report.at("summary").at("verdict") == "failed");
+}
+
+TEST_CASE("a check that hangs is ended and has failed") {
+    const Folder folder;
+
+    const Outcome outcome = disturbed(folder, SIGSTOP);
+
+    INFO(outcome.out << outcome.err);
+    REQUIRE(outcome.exit_code == 1);
+    CHECK_THAT(outcome.out, Contains("did not end within 2 seconds"));
+}

@@ -1,0 +1,38 @@
+// The whole quick form on rusticl and, in its smallest sizes, under Oclgrind.
+#include "conformance/implementations.hpp"
+
+#include <catch2/catch.hpp>
+
+#include <chrono>
+
+using namespace test;
+using Names = std::vector<std::string>;
+
+namespace {
+
+constexpr std::chrono::minutes patience{30};
+
+}  // namespace
+
+TEST_CASE("rusticl gives the reference's bits in the whole quick form") {
+    if (rusticl_missing()) return;
+    Surroundings surroundings = on_rusticl();
+    surroundings.patience = patience;
+
+    const Verification verification = verify({"--device", "llvmpipe", "--quick"}, surroundings);
+
+    require_equal_bits(verification);
+    CHECK(verification.skipped() == Names{"device/long-loop"});
+}
+
+TEST_CASE("Oclgrind finds nothing in the whole quick form, and the reference's bits") {
+    if (oclgrind_missing()) return;
+    Surroundings surroundings = under_oclgrind();
+    surroundings.patience = patience;
+
+    const Verification verification = verify({"--small", "--jobs", "2"}, surroundings);
+
+    require_equal_bits(verification);
+    CHECK(verification.process.err.empty());
+    CHECK(verification.skipped() == Names{"neighbours/many", "sizes/many-rows"});
+}
