@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 """Plants single faults in a copy of the sources and shows which checks of `pelage verify` catch each.
 
-    python3 tests/mutation/mutate.py [--only TEXT] [--table FILE.md] [--work FOLDER]
+    python3 tests/mutation/mutate.py [--only TEXT] [--first N] [--table FILE.md] [--work FOLDER]
 
 Each fault is built and given to `pelage verify --quick`. A fault is caught when that does not pass, or when the program
 does not even build. The table goes to standard output or FILE; the exit code is 1 when a fault was not caught.
@@ -94,6 +94,7 @@ def row(number, name, file, caught):
 def main():
     options = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     options.add_argument("--only", default="", help="faults with this in their name or file")
+    options.add_argument("--first", type=int, default=1, help="number of the fault to begin with")
     options.add_argument("--table", type=pathlib.Path, help="write the table to this file")
     options.add_argument("--work", type=pathlib.Path, default=ROOT / "build" / "mutation")
     chosen = options.parse_args()
@@ -111,13 +112,16 @@ def main():
         path.write_text(text)
     lines = ["| | Fault | In | Caught by |", "|---|---|---|---|"]
     missed = 0
+    tried = len(faults) - min(chosen.first - 1, len(faults))
     for number, (name, file, old, new) in enumerate(faults, 1):
+        if number < chosen.first:
+            continue
         start = time.time()
         caught = catch(work, file, old, new)
         missed += caught == []
         lines.append(row(number, name, file, caught))
         print(f"{lines[-1]} {time.time() - start:.0f} s", file=sys.stderr, flush=True)
-    text = "\n".join(lines) + f"\n\n{len(faults) - missed} of {len(faults)} faults are caught.\n"
+    text = "\n".join(lines) + f"\n\n{tried - missed} of {tried} faults are caught.\n"
     if chosen.table:
         chosen.table.write_text(text)
     else:
