@@ -22,6 +22,7 @@ constexpr std::size_t enough_cells = 200;  // fewer are soon all the same, which
 constexpr std::size_t small_cells = 260;   // for simulators
 constexpr Size small_size{19, 11};         // where the case has none that proves something
 constexpr std::uint64_t small_iterations = 4;
+constexpr std::size_t many_sizes = 10;
 
 // The cases that the quick form runs: each kernel path once, in the fewest programs.
 constexpr std::array<std::string_view, 19> quick_cases{"diffusion/nine-point/no-flux",
@@ -113,7 +114,8 @@ private:
     }
 
     std::vector<Size> sizes() const {
-        if (!place_.small()) return case_.sizes;
+        if (place_.full()) return case_.sizes;
+        if (!place_.small()) return fewer();
         const auto cells = [](const Size& size) { return size.columns * size.rows; };
         std::vector<Size> chosen;
         for (const Size& size : case_.sizes) {
@@ -121,6 +123,14 @@ private:
         }
         const bool proves = std::ranges::any_of(chosen, [&](const Size& size) { return cells(size) >= enough_cells; });
         if (!chosen.empty() && !proves) chosen.push_back(small_size);
+        return chosen;
+    }
+
+    // Of many sizes every second: neighbours in the list are of one kind.
+    std::vector<Size> fewer() const {
+        if (case_.sizes.size() <= many_sizes) return case_.sizes;
+        std::vector<Size> chosen;
+        for (std::size_t i = 0; i < case_.sizes.size(); i += 2) chosen.push_back(case_.sizes[i]);
         return chosen;
     }
 

@@ -202,6 +202,7 @@ void check_points(Outcome& outcome, Place& place, const Points& points, const st
 Outcome few_points(Place& place, std::uint64_t seed) {
     Outcome outcome;
     for (const std::size_t count : counts_of(place)) {
+        if (!place.full() && count % 16 == 15) continue;  // as one more than a group, nearly
         for (const double side : {2.0, 9.0, 60.0}) {
             if (side < 3 && count > 300) continue;  // all of them neighbours of all
             const Points points = crowd(count, side, static_cast<std::uint32_t>(seed + count));
