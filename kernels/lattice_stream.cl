@@ -5,17 +5,10 @@
 // margin of `steps` cells that narrows by one each level; cells beyond the edge are the ones that the
 // boundary puts there (a mirrored or wrapped cell evolves exactly like its original, random draws included).
 // `passes` may exceed 1 only where one work-group does all of the lattice: then nobody else reads what is written.
-// Lines that begin with //@ are filled in for each experiment, see host/opencl/emit_stream.hpp.
-//   PELAGE_DEPTH     most levels of a launch
+// Lines that begin with //@ are filled in for each experiment, see host/opencl/emit_fused.hpp.
 //   PELAGE_BLOCK     rows of a block
 //   PELAGE_VECTORS   most vectors across a band, margins included
-//   PELAGE_FIELDS    values of a cell that pass through: concentrations, rates, polarity, mappings
 //   PELAGE_CARRIED   vectors that a level carries from block to block, for each vector across
-//   PELAGE_SEEN      fields, the first ones, whose neighbouring values are looked at one by one
-//   PELAGE_VISITS    there are such
-
-// Planes begin 16 elements into their buffer, each with a row of zeros.
-#define PLANE(buffer, nth) ((buffer) + 16 + (nth) * plane + pitch)
 
 // Scratch rows begin an odd multiple of 128 bytes apart: a power of two would make them share cache sets.
 #define LINE (128 / (int)sizeof(scalar))
@@ -31,81 +24,24 @@
 #define SCRATCH(parity, r, field) \
     (scratch + 16 + (((parity) * (PELAGE_BLOCK + KEPT) + KEPT + (r)) * PELAGE_FIELDS + (field)) * SLOT)
 
-// The column or row that stands for `i`, which may lie beyond the edges; `beyond` where it stands for nothing.
-static inline int pelage_stands_for(int i, int count, int beyond) {
-#if defined(PELAGE_WRAP)
-    if (i < 0) i += count;
-    if (i >= count) i -= count;
-#elif defined(PELAGE_NO_FLUX)
-    if (i < 0) i = -1 - i;
-    if (i >= count) i = 2 * count - 1 - i;
-#else
-    if (i < 0 || i >= count) return beyond;
-#endif
-    return clamp(i, 0, count - 1);
-}
-
-// Elements of a row at x .. x + PELAGE_WIDTH - 1, by what stands for them. Past a row's cells lies a 0.
-static inline real pelage_gather(global const scalar* row, int x, int columns) {
-    scalar lanes[PELAGE_WIDTH];
-    #pragma unroll 1
-    for (int k = 0; k < PELAGE_WIDTH; ++k) {
-        lanes[k] = row[pelage_stands_for(min(x + k, columns + PELAGE_DEPTH - 1), columns, columns)];
-    }
-    return LOAD(lanes);
-}
-
-static inline real pelage_fetch(global const scalar* row, int x, int columns) {
-    return x >= 0 && x + PELAGE_WIDTH <= columns ? LOAD(row + x) : pelage_gather(row, x, columns);
-}
-
-static inline intv pelage_fetch_whole(global const int* row, int x, int columns) {
-    int lanes[PELAGE_WIDTH];
-    #pragma unroll 1
-    for (int k = 0; k < PELAGE_WIDTH; ++k) {
-        lanes[k] = row[pelage_stands_for(min(x + k, columns + PELAGE_DEPTH - 1), columns, columns)];
-    }
-    return LOAD(lanes);
-}
-
-static inline uintv pelage_columns(int x, int columns) {
-    uint lanes[PELAGE_WIDTH];
-    #pragma unroll 1
-    for (int k = 0; k < PELAGE_WIDTH; ++k) {
-        lanes[k] = (uint)pelage_stands_for(min(x + k, columns + PELAGE_DEPTH - 1), columns, 0);
-    }
-    return LOAD(lanes);
-}
-
-// Cells of v at x .. that belong to [from, to) go to the row.
-static inline void pelage_put(real v, global scalar* row, int x, int from, int to) {
-    if (x >= from && x + PELAGE_WIDTH <= to) {
-        STORE(v, row + x);
-        return;
-    }
-    scalar lanes[PELAGE_WIDTH];
-    STORE(v, lanes);
-    #pragma unroll 1
-    for (int k = max(from - x, 0); k < min(to - x, PELAGE_WIDTH); ++k) row[x + k] = lanes[k];
-}
-
-#define GET_NEIGHBOURS TO_REAL(pelage_fetch_whole(neighbours + (long)row * pitch, x, columns))
-#define GET_BIRTH TO_REAL(pelage_fetch_whole(birth + (long)row * pitch, x, columns))
-#define GET_AGE TO_REAL((uintv)(iteration)-TO_UINT(pelage_fetch_whole(birth + (long)row * pitch, x, columns)))
-#define GET_X place_x
-#define GET_Y R(places[pitch + row])
-#define GET_ROW R((scalar)row)
-#define GET_COLUMN TO_REAL(column)
-#define GET_ROWS R((scalar)rows)
-#define GET_COLUMNS R((scalar)columns)
-
-// Chemical i lies in field `at` of the scratch. What a level carries of it: the sums of the rows below and here and the
-// cells here; of one that does not diffuse, the cells alone.
-#define TAKE(i, at) const real up##i = LOAD(above + (at) * SLOT);
-#define TAKE_SUM(i, at) \
-    const real up_sum##i = ROW_SUM(LOAD(above + (at) * SLOT - 1), up##i, LOAD(above + (at) * SLOT + 1));
+// What a level carries of a chemical: the sums of the rows below and here and the cells here; of one that does not
+// diffuse, the cells alone.
 #define CARRY(nth) (carry + ((level * PELAGE_VECTORS + c) * (PELAGE_CARRIED + KEPT * PELAGE_SEEN) + (nth)) * PELAGE_WIDTH)
 #define CARRY_ROW(field, r) CARRY(PELAGE_CARRIED + 2 * (field) + (r))
+#define RESUME(name, at, nth) real name = LOAD(CARRY(nth));
+#define RESUME_SUMS(i, at, nth)            \
+    real below##i = LOAD(CARRY(nth));      \
+    real own##i = LOAD(CARRY((nth) + 1));  \
+    real c##i = LOAD(CARRY((nth) + 2));
+#define SUSPEND(name, nth) STORE(name, CARRY(nth));
+#define SUSPEND_SUMS(i, nth)             \
+    STORE(below##i, CARRY(nth));         \
+    STORE(own##i, CARRY((nth) + 1));     \
+    STORE(c##i, CARRY((nth) + 2));
+
+// A level writes rows that lie one lower than those it reads.
+#define MIDDLE (r - 1)
+#define AT_ROW (base + r - level - 1)
 
 kernel __attribute__((reqd_work_group_size(PELAGE_GROUP, 1, 1))) void pelage_lattice_stream(
     global scalar* even_conc, global scalar* odd_conc, global scalar* even_rate, global scalar* odd_rate,
@@ -180,32 +116,7 @@ kernel __attribute__((reqd_work_group_size(PELAGE_GROUP, 1, 1))) void pelage_lat
                         //@ cell
                         //@ rules
                         //@ diffusion
-#ifdef PELAGE_VISITS
-                        const int flipped = MIRRORS ? row != at_row : 0;
-                        for (int k = 0; k < 3; ++k) {
-                            const int up = pelage_up(k, row, rows);
-                            const int beyond = row + up < 0 || row + up >= rows;
-#ifdef PELAGE_NO_FLUX
-                            if (beyond) continue;
-#endif
-                            // A mirrored row has its neighbours the other way round.
-                            const int there = (flipped ? -up : up) * PELAGE_FIELDS * SLOT;
-                            for (int side = -1; side <= 1; ++side) {
-#ifdef PELAGE_FIVE_POINT
-                                if ((up == 0) == (side == 0)) continue;
-#else
-                                if (up == 0 && side == 0) continue;
-#endif
-                                const mask inside = pelage_inside_column(column, columns, side, beyond);
-                                const real dx = R((scalar)(2 * side));
-                                const real dy = R((scalar)(2 * up));
-                                const int diagonal = up != 0 && side != 0;
-                                const real norm = diagonal ? R(PELAGE_SQRT_8) : R(2);
-                                const real neighbour_share = diagonal ? DIAGONAL_SHARE : EDGE_SHARE;
-                                //@ visit
-                            }
-                        }
-#endif
+                        //@ neighbours
                         //@ replace
                         //@ finish
                     }

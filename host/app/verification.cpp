@@ -16,9 +16,11 @@
 #include <cstdio>
 #include <deque>
 #include <iostream>
+#include <map>
 #include <memory>
 #include <optional>
 #include <thread>
+#include <utility>
 
 #include <poll.h>
 #include <unistd.h>
@@ -41,10 +43,26 @@ std::vector<std::string> worker_arguments(const DeviceInfo& device, const Verify
     return words;
 }
 
+// The first check of every kernel, then the second of every one, and so on: checks of one kernel share compiled
+// programs, which two workers at the same time would both compile.
+std::vector<std::size_t> dealing_order(const std::vector<Check>& checks) {
+    std::map<std::string, std::size_t> known;
+    std::vector<std::pair<std::size_t, std::size_t>> turns;
+    for (std::size_t i = 0; i < checks.size(); ++i) turns.emplace_back(known[checks[i].kernel]++, i);
+    std::ranges::sort(turns);
+    std::vector<std::size_t> order;
+    for (const auto& [turn, check] : turns) order.push_back(check);
+    return order;
+}
+
 class Dealer {
 public:
     Dealer(const DeviceInfo& device, const std::vector<Check>& checks, const VerifyOptions& options)
-        : checks_(checks), options_(options), arguments_(worker_arguments(device, options)), results_(checks.size()) {}
+        : checks_(checks),
+          options_(options),
+          arguments_(worker_arguments(device, options)),
+          results_(checks.size()),
+          order_(dealing_order(checks)) {}
 
     std::vector<Result> run() {
         seats_.resize(std::clamp<std::size_t>(jobs(), 1, checks_.size()));
@@ -62,7 +80,8 @@ private:
 
     std::size_t jobs() const {
         if (options_.jobs != 0) return options_.jobs;
-        return std::min<std::size_t>(4, std::max(1u, std::thread::hardware_concurrency()));
+        return std::min<std::size_t>(
+            4, 2 * std::max(1u, std::thread::hardware_concurrency()));  // they wait for files, too
     }
 
     void next(Seat& seat) {
@@ -72,7 +91,7 @@ private:
             return;
         }
         if (!seat.worker) seat.worker = std::make_unique<Worker>(arguments_);
-        seat.check = asked_++;
+        seat.check = order_[asked_++];
         show(checks_[*seat.check].name);
         seat.worker->ask(checks_[*seat.check].name);
     }
@@ -135,6 +154,7 @@ private:
     const VerifyOptions& options_;
     std::vector<std::string> arguments_;
     std::vector<Result> results_;
+    std::vector<std::size_t> order_;
     std::vector<Seat> seats_;
     std::size_t asked_ = 0;
     std::size_t done_ = 0;

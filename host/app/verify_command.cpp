@@ -134,7 +134,7 @@ void add_verify(CLI::App& app, int& exit_code) {
     command->add_flag("--small", options.small, "Smallest sizes alone, for simulators");
     command->add_option("--filter", options.filter, "Only checks with this in their name")->type_name("TEXT");
     command->add_option("--seed", options.seed, "For the checks that are drawn at random")->capture_default_str();
-    command->add_option("--jobs", options.jobs, "Processes at once (default: one a processor, at most 4)")
+    command->add_option("--jobs", options.jobs, "Processes at once (default: two a processor, at most 4)")
         ->check(CLI::Range(1, 64));
     command->add_option("--limit", options.limit, "Seconds that one check may take")
         ->capture_default_str()

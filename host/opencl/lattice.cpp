@@ -5,16 +5,15 @@
 #include "opencl/cl_error.hpp"
 #include "opencl/emit_lattice.hpp"
 #include "opencl/explain.hpp"
+#include "opencl/fused_step.hpp"
 #include "opencl/lattice_state.hpp"
 #include "opencl/lattice_step.hpp"
 #include "opencl/lattice_traits.hpp"
 #include "opencl/program.hpp"
-#include "opencl/stream_step.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
 #include <map>
 #include <utility>
 #include <variant>
@@ -50,6 +49,7 @@ public:
 
 private:
     static constexpr std::size_t most_notes = 64;
+    enum class Path { plain, streamed, tiled };
 
     std::size_t do_cells() const override { return state_->grid().cells(); }
 
@@ -94,7 +94,7 @@ private:
             state_ = std::make_unique<LatticeState>(*session_, experiment(), plan, every_use_, snapshot);
             if (plan.rates != plan_.rates || plan.polarity != plan_.polarity) {  // all else is the experiment's
                 steps_.clear();
-                any_set_ = {};
+                any_set_.clear();
                 reasons_.clear();
             }
             plan_ = plan;
@@ -114,22 +114,34 @@ private:
         }
         double& work = work_[active];
         work += static_cast<double>(count) * static_cast<double>(do_cells());
-        const bool streamed = wants_streaming(active, work, iteration);
-        if (steps_.size() >= session_->options().variants && !steps_.contains({active, streamed})) {
-            std::unique_ptr<LatticeKernel>& step = any_set_[streamed ? 1 : 0];
-            if (!step) step = make_step(std::vector<bool>(active.size(), true), true, streamed, iteration);
+        const Path path = path_for(active, work, iteration);
+        if (steps_.size() >= session_->options().variants && !steps_.contains({active, path})) {
+            std::unique_ptr<LatticeKernel>& step = any_set_[path];
+            if (!step) step = make_step(std::vector<bool>(active.size(), true), true, path, iteration);
             return *step;
         }
-        std::unique_ptr<LatticeKernel>& step = steps_[{active, streamed}];
-        if (!step) step = make_step(active, false, streamed, iteration);
+        std::unique_ptr<LatticeKernel>& step = steps_[{active, path}];
+        if (!step) step = make_step(active, false, path, iteration);
         return *step;
+    }
+
+    Path path_for(const std::vector<bool>& active, double work, std::uint64_t iteration) {
+        switch (session_->options().fusion) {
+            case Fusion::always:
+                return Path::streamed;
+            case Fusion::tiled:
+                return Path::tiled;
+            case Fusion::automatic:
+                if (tiles_pay(*session_)) return Path::tiled;
+                return wants_streaming(active, work, iteration) ? Path::streamed : Path::plain;
+            default:
+                return Path::plain;
+        }
     }
 
     // A streamed program takes seconds to compile: so much `work`, in cell-updates, must have come by and must lie
     // ahead. And what threads hold in their own caches is shared faster than it is streamed.
     bool wants_streaming(const std::vector<bool>& active, double work, std::uint64_t iteration) {
-        const Fusion fusion = session_->options().fusion;
-        if (fusion != Fusion::automatic) return fusion == Fusion::always;
         if (!is_cpu(*session_) || work < 2e8 || fits_caches()) return false;
         const std::uint64_t last = std::max(experiment().last_iteration(), iteration);
         const double ahead = static_cast<double>(last - iteration) * static_cast<double>(do_cells());
@@ -152,17 +164,18 @@ private:
         return bytes < cache_bytes * session_->info().compute_units;
     }
 
-    std::unique_ptr<LatticeKernel> make_step(const std::vector<bool>& active, bool test_intervals, bool streamed,
+    std::unique_ptr<LatticeKernel> make_step(const std::vector<bool>& active, bool test_intervals, Path path,
                                              std::uint64_t iteration) {
         std::unique_ptr<LatticeKernel> step;
-        if (streamed) {
-            step = std::make_unique<StreamStep>(*session_, experiment(), plan_, active, test_intervals);
-        } else {
+        if (path == Path::plain) {
             step = std::make_unique<LatticeStep>(*session_, experiment(), plan_, active, test_intervals);
+        } else {
+            step = std::make_unique<FusedStep>(*session_, experiment(), plan_, active, test_intervals,
+                                               path == Path::tiled);
         }
         const bool shared = shares_steps(*session_);
         const std::string reason = fits_caches() ? "the threads' own caches hold the lattice" : reason_against(active);
-        note(iteration, step->describe(), streamed || !shared ? "" : reason);
+        note(iteration, step->describe(), path != Path::plain || !shared ? "" : reason);
         return step;
     }
 
@@ -227,9 +240,9 @@ private:
     std::unique_ptr<LatticeState> state_;
     bool counted_ = false;                      // state_ has been told that an iteration has been carried out
     std::map<std::vector<bool>, double> work_;  // cell-updates asked for, by active rules
-    // By active rules and whether streamed; any_set_ tests at run time which rules act, [1] streamed.
-    std::map<std::pair<std::vector<bool>, bool>, std::unique_ptr<LatticeKernel>> steps_;
-    std::array<std::unique_ptr<LatticeKernel>, 2> any_set_;
+    // By active rules and path; any_set_ tests at run time which rules act.
+    std::map<std::pair<std::vector<bool>, Path>, std::unique_ptr<LatticeKernel>> steps_;
+    std::map<Path, std::unique_ptr<LatticeKernel>> any_set_;
     std::map<std::vector<bool>, std::string> reasons_;  // against streaming, by active rules
     std::vector<std::string> notes_;
     std::string latest_note_;

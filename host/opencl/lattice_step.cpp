@@ -35,6 +35,11 @@ std::size_t lattice_width(const Session& session) {
     return width;
 }
 
+bool tiles_pay(const Session& session) {
+    if (session.info().type != "gpu" || session.info().software_rasteriser()) return false;
+    return session.device().getInfo<CL_DEVICE_LOCAL_MEM_TYPE>() == CL_LOCAL;
+}
+
 bool shares_steps(const Session& session) {
     return is_cpu(session) && session.options().work_group <= 1 && session.options().fusion != Fusion::never;
 }
@@ -100,8 +105,9 @@ LatticeStep::LatticeStep(const Session& session, const Experiment& experiment, c
 
 std::string LatticeStep::describe() const {
     if (together_) return "fused, steps shared among threads";
-    return std::string("not fused, one launch an iteration: ") +
-           (is_cpu(session_) ? "as the options ask for" : "fused programs are for CPUs");
+    return std::string("not fused, one launch an iteration: ") + (is_cpu(session_) || tiles_pay(session_)
+                                                                      ? "as the options ask for"
+                                                                      : "the device has no local memory of its own");
 }
 
 void LatticeStep::set_buffers(LatticeState& state) {

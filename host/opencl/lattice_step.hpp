@@ -28,6 +28,9 @@ bool is_cpu(const Session&);  // a processor proper, not a rasteriser that runs 
 // Cells that a work-item handles side by side: the lanes of a CPU, 1 on other devices.
 std::size_t lattice_width(const Session&);
 
+// Whether tiles in local memory are faster than a launch an iteration: where local memory is not just memory.
+bool tiles_pay(const Session&);
+
 // Whether the device's work-groups share the steps of small lattices instead of being launched for each.
 bool shares_steps(const Session&);
 

@@ -33,6 +33,7 @@ std::string Setting::text() const {
     if (precision == Precision::double_) put("double");
     if (fusion == Fusion::always) put("streamed");
     if (fusion == Fusion::shared) put("shared");
+    if (fusion == Fusion::tiled) put("tiled");
     if (work_group != 0) put(fmt::format("work-group {}", work_group));
     if (search == NeighbourSearch::spatial_sorting) put("spatial sorting");
     if (width != 0) put(fmt::format("width {}", width));

@@ -22,6 +22,7 @@ constexpr std::size_t enough_cells = 200;  // fewer are soon all the same, which
 constexpr std::size_t small_cells = 260;   // for simulators
 constexpr Size small_size{19, 11};         // where the case has none that proves something
 constexpr std::uint64_t small_iterations = 4;
+constexpr std::uint64_t quick_iterations = 50;
 constexpr std::size_t many_sizes = 10;
 
 // The cases that the quick form runs: each kernel path once, in the fewest programs.
@@ -49,6 +50,8 @@ constexpr std::array<std::string_view, 2> quick_groups{"diffusion/nine-point/no-
 constexpr std::array<std::string_view, 2> quick_fused{"diffusion/nine-point/wrap", "growth/plain/no-flux"};
 constexpr std::array<std::string_view, 3> quick_shared{"diffusion/nine-point/wrap", "rates/uneven/published/open",
                                                        "growth/plain/no-flux"};
+constexpr std::array<std::string_view, 2> quick_tiled{"diffusion/nine-point/no-flux",
+                                                      "rates/polarized/five-point/absorbing"};
 
 template <class List>
 bool among(const std::string& name, const List& list) {
@@ -155,7 +158,10 @@ private:
         State state;
         state.before = first_state(case_, experiment);
         const auto tissue = reference->make_tissue(experiment, state.before);
-        const std::uint64_t all = place_.small() ? small_iterations : case_.iterations;
+        const std::uint64_t most = place_.small()  ? small_iterations
+                                   : place_.full() ? case_.iterations
+                                                   : quick_iterations;
+        const std::uint64_t all = std::min(case_.iterations, most);
         const std::uint64_t last = bounded_ ? 1 : all;
         for (std::uint64_t done = 0; done < last;) {
             const std::uint64_t count = done == 0 || case_.grows ? 1 : last - done;
@@ -241,14 +247,17 @@ std::vector<Check> lattice_checks() {
         const auto plain = [&one](Place& place) { return LatticeCheck(one, place).run(plain_settings(one, place)); };
         checks.push_back({one.name, kernel_of(one.name), among(one.name, quick_cases), plain});
     }
-    for (const Case& one : lattice_cases()) {
-        const auto fused = [&one](Place& place) { return LatticeCheck(one, place).run({{.fusion = Fusion::always}}); };
-        checks.push_back({"fused/" + one.name, "fused steps", among(one.name, quick_fused), fused});
-    }
-    for (const Case& one : lattice_cases()) {
-        const auto shared = [&one](Place& place) { return LatticeCheck(one, place).run({{.fusion = Fusion::shared}}); };
-        checks.push_back({"shared/" + one.name, "shared steps", among(one.name, quick_shared), shared});
-    }
+    const auto add = [&](const char* prefix, const char* kernel, Fusion fusion, const auto& quick) {
+        for (const Case& one : lattice_cases()) {
+            const auto run = [&one, fusion](Place& place) {
+                return LatticeCheck(one, place).run({{.fusion = fusion}});
+            };
+            checks.push_back({prefix + one.name, kernel, among(one.name, quick), run});
+        }
+    };
+    add("fused/", "fused steps", Fusion::always, quick_fused);
+    add("tiled/", "tiles", Fusion::tiled, quick_tiled);
+    add("shared/", "shared steps", Fusion::shared, quick_shared);
     return checks;
 }
 

@@ -12,7 +12,7 @@ namespace pelage::verify {
 
 namespace {
 
-constexpr std::size_t quick_count = 3;
+constexpr std::size_t quick_count = 2;
 constexpr std::size_t full_count = 24;
 
 Outcome follows(Place& place, std::uint64_t seed) {

@@ -1,7 +1,7 @@
 // Fused iterations: the bits of the reference, however deep the passes and however the lattice is shared out.
+#include "busy_lattice.hpp"
 #include "lattice_run.hpp"
 #include "opencl/explain.hpp"
-#include "verify/lab.hpp"
 
 using namespace pelage;
 using namespace pelage::verify;
@@ -16,27 +16,6 @@ OpenclOptions fused(std::size_t width = 0) {
     made.use_cache = false;  // and longer where they are to be kept
     made.width = width;
     return made;
-}
-
-// Two chemicals that react and one that follows them by rules with draws: all that a fused program may hold.
-Experiment busy(std::size_t columns, std::size_t rows, Boundary boundary) {
-    Lab lab = Lab::matrix(columns, rows, boundary);
-    const std::size_t u = lab.chemical("U", {4, 2}, {5, 0}, {0, 6});
-    const std::size_t v = lab.chemical("V", {4, 2}, {1, 0});
-    const std::size_t m = lab.chemical("M", {1, 1}, {0, 0}, unbounded);
-    lab.rule(react(Model::turing, u, v, {16, 12}));
-    lab.rule(change(v, number(0.005), 0.005), compare(quantity(Quantity::row), Comparison::less, number(5)));
-    lab.rule(And{}, compare(quantity(Quantity::column), Comparison::greater, number(5)));
-    lab.rule(change(m, quantity(Quantity::concentration, u)), Probability{number(0.3)});
-    lab.rule(Set{Target::concentration, m, quantity(Quantity::random)},
-             compare(quantity(Quantity::x), Comparison::less, quantity(Quantity::y)));
-    return lab.time_step(0.01).done();
-}
-
-Snapshot run(Backend& backend, const Experiment& experiment, std::vector<std::uint64_t> parts) {
-    const auto tissue = backend.make_tissue(experiment);
-    for (const std::uint64_t part : parts) tissue->advance(part);
-    return tissue->read();
 }
 
 }  // namespace

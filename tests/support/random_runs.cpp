@@ -115,7 +115,7 @@ RandomRuns::RandomRuns(bool few_settings) : few_settings_(few_settings) {}
 RandomRuns::Setting RandomRuns::setting(std::uint64_t seed) const {
     Dice dice(seed + 0x5e771e55u);
     OpenclOptions options;
-    const auto ways = {Fusion::always, Fusion::never, Fusion::shared, Fusion::always, Fusion::never};
+    const auto ways = {Fusion::always, Fusion::never, Fusion::shared, Fusion::tiled, Fusion::always, Fusion::never};
     options.fusion = ways.begin()[seed % ways.size()];
     if (dice.chance(few_settings_ ? 15 : 25)) options.precision = Precision::double_;
     // After that many programs one tests by itself which rules act.
@@ -125,12 +125,21 @@ RandomRuns::Setting RandomRuns::setting(std::uint64_t seed) const {
     options.guarded = dice.chance(30);
     // A program to be kept is compiled for group sizes that no run here may ask for.
     options.use_cache = options.cache_twice = !few_settings_ && dice.chance(20);
+    if (!few_settings_ && dice.chance(50)) {
+        options.cut.depth = dice.pick<std::size_t>({0, 1, 3, 8, 24});
+        options.cut.columns = dice.pick<std::size_t>({0, 5, 16, 100});
+        options.cut.rows = dice.pick<std::size_t>({0, 1, 6, 16});
+        options.cut.group = dice.pick<std::size_t>({0, 1, 3, 64});
+    }
     const char* fusion = options.fusion == Fusion::always  ? "always"
                          : options.fusion == Fusion::never ? "never"
+                         : options.fusion == Fusion::tiled ? "tiled"
                                                            : "shared";
-    return {fmt::format("fusion {}, {}, {} variants, width {}, work-group {}{}{}", fusion,
-                        options.precision == Precision::double_ ? "double" : "float", options.variants, options.width,
-                        options.work_group, options.guarded ? ", guarded" : "", options.use_cache ? ", cached" : ""),
+    const LatticeCut& cut = options.cut;
+    return {fmt::format("fusion {}, cut {} {} {} {}, {}, {} variants, width {}, work-group {}{}{}", fusion, cut.depth,
+                        cut.columns, cut.rows, cut.group, options.precision == Precision::double_ ? "double" : "float",
+                        options.variants, options.width, options.work_group, options.guarded ? ", guarded" : "",
+                        options.use_cache ? ", cached" : ""),
             options};
 }
 

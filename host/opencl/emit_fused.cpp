@@ -1,6 +1,6 @@
-// See emit_stream.hpp. Names of values are those of emit_lattice.cpp; beyond them, for field f of what passes through,
+// See emit_fused.hpp. Names of values are those of emit_lattice.cpp; beyond them, for field f of what passes through,
 //   from<f>, to<f>  planes that it comes from and goes to
-#include "opencl/emit_stream.hpp"
+#include "opencl/emit_fused.hpp"
 
 #include "opencl/emit_lattice.hpp"
 #include "opencl/lattice_traits.hpp"
@@ -54,10 +54,10 @@ std::size_t count_seen(const std::vector<Passing>& fields) {
     return count;
 }
 
-class StreamEmitter {
+class FusedEmitter {
 public:
-    StreamEmitter(const Experiment& experiment, const LatticePlan& plan, const RuleUse& use,
-                  const std::vector<bool>& bounded, Precision precision)
+    FusedEmitter(const Experiment& experiment, const LatticePlan& plan, const RuleUse& use,
+                 const std::vector<bool>& bounded, Precision precision)
         : plan_(plan),
           use_(use),
           bounded_(bounded),
@@ -65,22 +65,27 @@ public:
           traits_(experiment, plan, use),
           fields_(passing_fields(experiment, plan, use)) {}
 
+    // Of kernels/lattice_tile.cl.
     std::map<std::string, std::string> fills(const RuleText& text) const {
         return {{"parameters", emit_parameters(plan_, bounded_)},
                 {"planes", planes()},
                 {"fetch", fetch()},
-                {"prefetch", prefetch()},
                 {"resume", resume()},
-                {"suspend", suspend()},
                 {"row", row()},
                 {"cell", cell()},
                 {"rules", text.rules},
                 {"diffusion", diffusion()},
-                {"visit", traits_.visit()},
+                {"neighbours", neighbours()},
                 {"replace", text.replace},
                 {"finish", finish()},
-                {"put", put()},
-                {"unroll", unroll(text)}};
+                {"put", put()}};
+    }
+
+    // Of kernels/lattice_stream.cl.
+    std::map<std::string, std::string> stream_fills(const RuleText& text) const {
+        std::map<std::string, std::string> all = fills(text);
+        all.insert({{"prefetch", prefetch()}, {"suspend", suspend()}, {"unroll", unroll(text)}});
+        return all;
     }
 
     std::string settings() const {
@@ -106,15 +111,15 @@ private:
     }
 
     // The format for every field: {0} its number, {1} the number of what it is of, {2} the first vector carried,
-    // {3} and {4} the next two, {5} the value handed on.
+    // {3} the value handed on.
     using Formats = const char* (*)(const Passing&, std::size_t carried);
     std::string each(Formats format_of) const {
         std::string text;
         std::size_t place = 0;
         for (std::size_t f = 0; f < fields_.size(); ++f) {
             const std::size_t vectors = carried(fields_[f]);
-            text += fmt::format(fmt::runtime(format_of(fields_[f], vectors)), f, fields_[f].plane, place, place + 1,
-                                place + 2, fields_[f].result);
+            text += fmt::format(fmt::runtime(format_of(fields_[f], vectors)), f, fields_[f].plane, place,
+                                fields_[f].result);
             place += vectors;
         }
         return text;
@@ -171,12 +176,9 @@ private:
 
     std::string resume() const {
         std::string text = each([](const Passing& field, std::size_t vectors) {
-            if (vectors == 3) {
-                return "real below{1} = LOAD(CARRY({2}));\nreal own{1} = LOAD(CARRY({3}));\n"
-                       "real c{1} = LOAD(CARRY({4}));\n";
-            }
+            if (vectors == 3) return "RESUME_SUMS({1}, {0}, {2})\n";
             if (vectors == 0) return "";
-            return field.buffer == "conc" ? "real c{1} = LOAD(CARRY({2}));\n" : "real kept{1} = LOAD(CARRY({2}));\n";
+            return field.buffer == "conc" ? "RESUME(c{1}, {0}, {2})\n" : "RESUME(kept{1}, {0}, {2})\n";
         });
         if (use_.random || reads(Quantity::column) || traits_.visits()) {
             text += "const uintv column = pelage_columns(x, columns);\n";
@@ -192,15 +194,14 @@ private:
     }
     std::string suspend() const {
         return each([](const Passing& field, std::size_t vectors) {
-            if (vectors == 3)
-                return "STORE(below{1}, CARRY({2}));\nSTORE(own{1}, CARRY({3}));\nSTORE(c{1}, CARRY({4}));\n";
+            if (vectors == 3) return "SUSPEND_SUMS({1}, {2})\n";
             if (vectors == 0) return "";
-            return field.buffer == "conc" ? "STORE(c{1}, CARRY({2}));\n" : "STORE(kept{1}, CARRY({2}));\n";
+            return field.buffer == "conc" ? "SUSPEND(c{1}, {2})\n" : "SUSPEND(kept{1}, {2})\n";
         });
     }
 
     std::string row() const {
-        std::string text = "const int at_row = base + r - level - 1;\n";
+        std::string text = "const int at_row = AT_ROW;\n";
         bool wanted = use_.random || traits_.visits();
         for (const Quantity of_place :
              {Quantity::row, Quantity::y, Quantity::neighbours, Quantity::birth, Quantity::age}) {
@@ -216,7 +217,7 @@ private:
         std::string text;
         for (std::size_t f = 0; f < fields_.size(); ++f) {
             if (fields_[f].middle.empty()) continue;
-            text += fmt::format("local const scalar* const {} = SCRATCH(level & 1, r - 1, {}) + c * PELAGE_WIDTH;\n",
+            text += fmt::format("local const scalar* const {} = SCRATCH(level & 1, MIDDLE, {}) + c * PELAGE_WIDTH;\n",
                                 fields_[f].middle, f);
         }
         text += each([](const Passing& field, std::size_t vectors) {
@@ -249,6 +250,11 @@ private:
         return text.rules.size() < 1000 && !traits_.visits() ? "#pragma unroll\n" : "";
     }
 
+    std::string neighbours() const {
+        if (!traits_.visits()) return "";
+        return Source().file("lattice_neighbours.cl", {{"visit", traits_.visit()}}).str();
+    }
+
     std::string diffusion() const {
         return each([](const Passing&, std::size_t vectors) { return vectors == 3 ? "ROLL_DIFFUSE({1})\n" : ""; });
     }
@@ -265,7 +271,7 @@ private:
                 return field.buffer == "conc" ? "n{1} = SELECT(present, n{1}, R(0));\n" : "";
             });
         }
-        text += each([](const Passing&, std::size_t) { return "STORE({5}, result + {0} * SLOT);\n"; });
+        text += each([](const Passing&, std::size_t) { return "STORE({3}, result + {0} * SLOT);\n"; });
         return text + each([](const Passing& field, std::size_t vectors) {
                    if (vectors == 3) return "ROLL_ON({1})\n";
                    if (vectors == 0) return "";
@@ -283,24 +289,46 @@ private:
 
 }  // namespace
 
-StreamFields stream_fields(const Experiment& experiment, const LatticePlan& plan, const RuleUse& use) {
+FusedFields fused_fields(const Experiment& experiment, const LatticePlan& plan, const RuleUse& use) {
     const std::vector<Passing> fields = passing_fields(experiment, plan, use);
     return {fields.size(), count_seen(fields)};
 }
 
+namespace {
+
+// All but the kernel itself.
+Source library(const LatticePlan& plan, const RuleUse& use, const FusedEmitter& emitter, std::size_t width,
+               const std::string& shape) {
+    Source source;
+    source.text(lattice_settings(plan, width) + emitter.settings()).text(shape);
+    source.file("prelude.cl").file("philox.cl").file("lattice_rows.cl").file("stencil.cl");
+    source.file("lattice_mirrors.cl").file("exchange.cl").file("lattice_margins.cl");
+    for (const std::string& model : model_files(use)) source.file(model);
+    return source;
+}
+
+}  // namespace
+
 std::string stream_source(const Experiment& experiment, const LatticePlan& plan, const RuleText& rules,
                           const std::vector<bool>& bounded, Precision precision, std::size_t width,
-                          const StreamShape& shape) {
-    const StreamEmitter emitter(experiment, plan, rules.use, bounded, precision);
-    Source source;
-    source.text(lattice_settings(plan, width) + emitter.settings());
-    source.text(fmt::format(
+                          const FusedShape& shape) {
+    const FusedEmitter emitter(experiment, plan, rules.use, bounded, precision);
+    const std::string settings = fmt::format(
         "#define PELAGE_DEPTH {}\n#define PELAGE_BLOCK {}\n#define PELAGE_VECTORS {}\n#define PELAGE_GROUP {}\n{}",
-        shape.depth, shape.block, shape.vectors, shape.group, shape.prefetch ? "#define PELAGE_PREFETCH\n" : ""));
-    source.file("prelude.cl").file("philox.cl").file("lattice_rows.cl").file("stencil.cl");
-    source.file("lattice_mirrors.cl").file("exchange.cl");
-    for (const std::string& model : model_files(rules.use)) source.file(model);
-    return source.file("lattice_stream.cl", emitter.fills(rules)).str();
+        shape.depth, shape.rows, shape.vectors, shape.group, shape.prefetch ? "#define PELAGE_PREFETCH\n" : "");
+    return library(plan, rules.use, emitter, width, settings)
+        .file("lattice_stream.cl", emitter.stream_fills(rules))
+        .str();
+}
+
+std::string tile_source(const Experiment& experiment, const LatticePlan& plan, const RuleText& rules,
+                        const std::vector<bool>& bounded, Precision precision, std::size_t width,
+                        const FusedShape& shape) {
+    const FusedEmitter emitter(experiment, plan, rules.use, bounded, precision);
+    const std::string settings = fmt::format(
+        "#define PELAGE_DEPTH {}\n#define PELAGE_TALL {}\n#define PELAGE_VECTORS {}\n#define PELAGE_GROUP {}\n",
+        shape.depth, shape.rows + 2 * shape.depth, shape.vectors, shape.group);
+    return library(plan, rules.use, emitter, width, settings).file("lattice_tile.cl", emitter.fills(rules)).str();
 }
 
 }  // namespace pelage

@@ -1,0 +1,81 @@
+// Tiles in local memory: the bits of the reference, whatever their shape and the number of work-items.
+#include "busy_lattice.hpp"
+#include "lattice_run.hpp"
+
+using namespace pelage;
+using namespace pelage::verify;
+using namespace test;
+
+namespace {
+
+OpenclOptions tiled(LatticeCut cut = {}, std::size_t width = 0) {
+    OpenclOptions made;
+    made.fusion = Fusion::tiled;
+    made.variants = 1;
+    made.use_cache = false;
+    made.width = width;
+    made.cut = cut;
+    return made;
+}
+
+}  // namespace
+
+TEST_CASE("tiles: diffusion with every stencil and boundary") { check_cases("diffusion/", tiled()); }
+TEST_CASE("tiles: every reaction, one cell a work-item") { check_cases("reaction/", tiled({4, 16, 8, 16}, 1)); }
+TEST_CASE("tiles: polarized cells and uneven rates") {
+    check_cases("rates/polarized/nine-point/no-flux", tiled());
+    check_cases("rates/polarized/published", tiled({3, 8, 8, 8}, 1));
+    check_cases("rates/uneven", tiled());
+}
+TEST_CASE("tiles: rules") { check_cases("rules/", tiled()); }
+TEST_CASE("tiles: growth") {
+    check_cases("growth/no-flux", tiled());
+    check_cases("growth/plain", tiled({2, 8, 8, 4}, 1));
+}
+
+TEST_CASE("tiles: every shape gives the same bits") {
+    const auto cut = GENERATE(LatticeCut{1, 1, 1, 1}, LatticeCut{2, 5, 3, 7}, LatticeCut{4, 32, 32, 64},
+                              LatticeCut{8, 16, 64, 128}, LatticeCut{5, 100, 2, 3});
+    const auto boundary = GENERATE(Boundary::wrap, Boundary::no_flux, Boundary::absorbing);
+    const std::size_t width = cut.depth == 4 ? 0 : 1;
+    const Experiment experiment = busy(71, 43, boundary);
+    INFO(cut.depth << " deep, " << cut.columns << " x " << cut.rows << ", groups of " << cut.group);
+
+    const Snapshot expected = run(*reference_backend(Precision::single_), experiment, {23});
+
+    const auto device = opencl_backend(tiled(cut, width));
+    require_equal(expected, run(*device, experiment, {23}));
+    require_equal(expected, run(*device, experiment, {1, 9, 2, 11}));
+}
+
+TEST_CASE("tiles: shapes that do not fit local memory are cut down to it") {
+    const Experiment experiment = busy(90, 70, Boundary::wrap);
+    const Snapshot expected = run(*reference_backend(Precision::double_), experiment, {10});
+    OpenclOptions vast = tiled({64, 4096, 4096, 1u << 20}, 1);
+    vast.precision = Precision::double_;
+
+    require_equal(expected, run(*opencl_backend(vast), experiment, {10}));
+}
+
+TEST_CASE("streamed: every shape gives the same bits") {
+    const auto cut =
+        GENERATE(LatticeCut{1, 8, 1, 1}, LatticeCut{16, 64, 4, 2}, LatticeCut{32, 512, 16, 1}, LatticeCut{3, 20, 5, 7});
+    const Experiment experiment = busy(131, 57, Boundary::no_flux);
+    OpenclOptions streamed = tiled(cut, cut.group == 1 ? 0 : 1);
+    streamed.fusion = Fusion::always;
+
+    const Snapshot expected = run(*reference_backend(Precision::single_), experiment, {37});
+
+    require_equal(expected, run(*opencl_backend(streamed), experiment, {37}));
+}
+
+TEST_CASE("tiles: a run says that it took them, and how deep") {
+    const Experiment experiment = busy(16, 16, Boundary::wrap);
+
+    const auto tissue = opencl_backend(tiled({4, 8, 8, 4}))->make_tissue(experiment);
+    tissue->advance(2);
+
+    REQUIRE(tissue->notes().size() == 1);
+    CHECK(tissue->notes().front() ==
+          "from iteration 0: fused, in tiles of local memory, up to 4 iterations in one pass over memory");
+}
