@@ -96,6 +96,26 @@ static inline real pelage_shared_rate(real own, real theirs) {
         n##i = SELECT(MEETS, FLOW(n##i, e, difference), n##i);                                                \
     }
 
+// As the two before where the means are already there, `means##i` the first of their planes (lattice_means.cl).
+static inline real pelage_mean(global const scalar* means, long plane, long at, long there, int x, int columns, int side,
+                               int up) {
+    if (up > 0 || (up == 0 && side > 0)) return LOAD(means + (up == 0 ? 0 : side + 2) * plane + at);
+    return pelage_side(means + (up == 0 ? 0 : 2 - side) * plane + there, x, columns, side);
+}
+
+#ifdef PELAGE_ABSORBING
+#define KNOWN_MEAN(mean, own) SELECT(inside, mean, own)
+#else
+#define KNOWN_MEAN(mean, own) (mean)
+#endif
+
+#define EXCHANGE_MEANT(i, own)                                                                          \
+    {                                                                                                   \
+        const real e = KNOWN_MEAN(pelage_mean(means##i, plane, at, there, x, columns, side, up), own);  \
+        const real difference = THEIRS(a##i) - c##i;                                                    \
+        n##i = SELECT(MEETS, FLOW(n##i, e, difference), n##i);                                          \
+    }
+
 #define GRADIENT(i)                                                        \
     {                                                                      \
         const real difference = THEIRS(a##i) - c##i;                       \

@@ -6,6 +6,7 @@
 // Lines that begin with //@ are filled in for each experiment, see host/opencl/emit_lattice.hpp.
 //   PELAGE_VISITS      some chemical diffuses neighbour by neighbour, or some gradient is wanted
 //   PELAGE_TOGETHER    see above
+//   PELAGE_MEANS       rates between neighbours are known, see lattice_means.cl
 
 #define GET_NEIGHBOURS TO_REAL(LOAD(neighbours + at))
 #define GET_AGE TO_REAL((uintv)(iteration)-TO_UINT(LOAD(birth + at)))
@@ -32,6 +33,10 @@ kernel void pelage_lattice_step(global scalar* even_conc, global scalar* odd_con
 #ifdef PELAGE_TOGETHER
                                 ,
                                 volatile global int* flags, const int strips, const int begin, const int everybody
+#endif
+#ifdef PELAGE_MEANS
+                                ,
+                                global const scalar* means
 #endif
 ) {
     const long plane = (long)pitch * (rows + 1);

@@ -45,13 +45,14 @@ const char* stencil_word(Stencil stencil) {
 class LatticeEmitter {
 public:
     LatticeEmitter(const Experiment& experiment, const LatticePlan& plan, const RuleUse& use,
-                   const std::vector<bool>& bounded, Precision precision)
+                   const std::vector<bool>& bounded, Precision precision, bool means)
         : experiment_(experiment),
           plan_(plan),
           use_(use),
           traits_(experiment, plan, use),
           bounded_(bounded),
           precision_(precision),
+          means_(means),
           rate_planes_(rate_planes(plan)) {}
 
     std::map<std::string, std::string> fills(const RuleText& text) const {
@@ -60,7 +61,7 @@ public:
                 {"start", start()},
                 {"cell", cell()},
                 {"rules", text.rules},
-                {"visit", traits_.visit()},
+                {"visit", traits_.visit(means_)},
                 {"replace", text.replace},
                 {"finish", finish()},
                 {"diffusion", diffusion()}};
@@ -69,6 +70,7 @@ public:
     std::string settings(std::size_t width) const {
         std::string text = lattice_settings(plan_, width);
         if (traits_.visits()) text += "#define PELAGE_VISITS\n";
+        if (means_) text += "#define PELAGE_MEANS\n";
         text += traits_.shares(precision_);
         return text;
     }
@@ -100,6 +102,9 @@ private:
         for (std::size_t i = 0; i < plan_.rates.size(); ++i) {
             if (!traits_.per_cell(i)) continue;
             text += fmt::format("global scalar* const d{} = PLANE(old_rate, {});\n", i, rate_planes_[i]);
+            if (means_) {
+                text += fmt::format("global const scalar* const means{} = PLANE(means, {});\n", i, 4 * rate_planes_[i]);
+            }
             if (traits_.writes_rates())
                 text += fmt::format("global scalar* const f{} = PLANE(new_rate, {});\n", i, rate_planes_[i]);
         }
@@ -166,6 +171,7 @@ private:
     LatticeTraits traits_;
     const std::vector<bool>& bounded_;
     Precision precision_;
+    bool means_;
     std::vector<std::size_t> rate_planes_;
 };
 
@@ -218,8 +224,9 @@ double stencil_divisor(Stencil stencil) {
 }
 
 std::string lattice_source(const Experiment& experiment, const LatticePlan& plan, const RuleText& rules,
-                           const std::vector<bool>& bounded, Precision precision, std::size_t width, bool together) {
-    const LatticeEmitter emitter(experiment, plan, rules.use, bounded, precision);
+                           const std::vector<bool>& bounded, Precision precision, std::size_t width, bool together,
+                           bool means) {
+    const LatticeEmitter emitter(experiment, plan, rules.use, bounded, precision, means);
     Source source;
     source.text(emitter.settings(width))
         .file("prelude.cl")

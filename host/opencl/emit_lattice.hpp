@@ -35,8 +35,8 @@ std::string lattice_settings(const LatticePlan&, std::size_t width);
 std::string emit_parameters(const LatticePlan&, const std::vector<bool>& bounded);
 
 // `bounded`: chemicals that have a finite bound in some phase. `width`: see PELAGE_WIDTH. `together`: see
-// kernels/lattice_together.cl.
+// kernels/lattice_together.cl. `means`: see kernels/lattice_means.cl.
 std::string lattice_source(const Experiment&, const LatticePlan&, const RuleText&, const std::vector<bool>& bounded,
-                           Precision, std::size_t width, bool together);
+                           Precision, std::size_t width, bool together, bool means);
 
 }  // namespace pelage

@@ -6,6 +6,7 @@
 #include "opencl/emit_lattice.hpp"
 #include "opencl/explain.hpp"
 #include "opencl/fused_step.hpp"
+#include "opencl/lattice_means.hpp"
 #include "opencl/lattice_state.hpp"
 #include "opencl/lattice_step.hpp"
 #include "opencl/lattice_traits.hpp"
@@ -96,7 +97,9 @@ private:
                 steps_.clear();
                 any_set_.clear();
                 reasons_.clear();
+                means_ = nullptr;
             }
+            if (means_) means_->forget();
             plan_ = plan;
             counted_ = false;
         });
@@ -168,7 +171,10 @@ private:
                                              std::uint64_t iteration) {
         std::unique_ptr<LatticeKernel> step;
         if (path == Path::plain) {
-            step = std::make_unique<LatticeStep>(*session_, experiment(), plan_, active, test_intervals);
+            if (!means_ && means_pay(*session_, plan_, every_use_)) {
+                means_ = std::make_shared<LatticeMeans>(*session_, experiment(), plan_);
+            }
+            step = std::make_unique<LatticeStep>(*session_, experiment(), plan_, active, test_intervals, means_);
         } else {
             step = std::make_unique<FusedStep>(*session_, experiment(), plan_, active, test_intervals,
                                                path == Path::tiled);
@@ -238,6 +244,7 @@ private:
     LatticePlan plan_;
     RuleUse every_use_;  // what any rule may need, at any time
     std::unique_ptr<LatticeState> state_;
+    std::shared_ptr<LatticeMeans> means_;       // null where they do not pay, or not needed yet
     bool counted_ = false;                      // state_ has been told that an iteration has been carried out
     std::map<std::vector<bool>, double> work_;  // cell-updates asked for, by active rules
     // By active rules and path; any_set_ tests at run time which rules act.

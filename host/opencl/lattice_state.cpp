@@ -100,6 +100,7 @@ void LatticeState::upload_places() {
 void LatticeState::set_rate(std::size_t chemical, double rate) {
     uniform_rates_[chemical] = session_.is_double() ? rate : static_cast<double>(static_cast<float>(rate));
     if (rate_planes_[chemical] != no_plane) rates_.fill(grid_, rate_planes_[chemical], rate);
+    ++rates_version_;
 }
 
 std::vector<std::int32_t> LatticeState::count_neighbours() const {
@@ -125,6 +126,7 @@ void LatticeState::counted() {
 void LatticeState::expand(const Insertion& insertion) {
     if (counted_ && neighbours_.planes() == 0) kept_neighbours_.take(count_neighbours());
     counted_ = false;
+    ++rates_version_;
     const Grid after = grid_.grown(insertion.column);
     expander_.prepare(insertion);
     for (Planes* planes : {&conc_, &rates_, &polarity_, &mappings_, &birth_, &neighbours_}) {

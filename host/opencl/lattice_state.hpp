@@ -31,6 +31,9 @@ public:
     double uniform_rate(std::size_t chemical) const { return uniform_rates_[chemical]; }
     void set_rate(std::size_t chemical, double rate);  // of every cell
 
+    // Another one whenever rates or polarity have been changed other than by rules; never 0.
+    std::uint64_t rates_version() const { return rates_version_; }
+
     // To be called when an iteration has been carried out: from then on each cell's count of neighbours is that of
     // its place.
     void counted();
@@ -57,6 +60,7 @@ private:
     std::size_t places_capacity_ = 0;
     std::vector<double> uniform_rates_;
     bool counted_ = false;
+    std::uint64_t rates_version_ = 1;
     // What is not on the device; of x and y the first row and column.
     std::vector<double> x_, y_;
     double origin_x_, origin_y_;

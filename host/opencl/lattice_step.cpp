@@ -2,8 +2,10 @@
 #include "opencl/lattice_step.hpp"
 
 #include "opencl/emit_lattice.hpp"
+#include "opencl/lattice_means.hpp"
 
 #include <algorithm>
+#include <utility>
 
 namespace pelage {
 
@@ -89,17 +91,18 @@ LaunchShape launch_shape(const Session& session, const Grid& grid, std::size_t w
 }
 
 LatticeStep::LatticeStep(const Session& session, const Experiment& experiment, const LatticePlan& plan,
-                         const std::vector<bool>& active, bool test_intervals)
+                         const std::vector<bool>& active, bool test_intervals, std::shared_ptr<LatticeMeans> means)
     : session_(session),
       width_(lattice_width(session)),
       seed_(static_cast<std::uint64_t>(experiment.run_seed())),
       together_(shares_steps(session)),
-      shared_(session) {
+      shared_(session),
+      means_(std::move(means)) {
     const RuleText rules = emit_rules(experiment, active, session.options().precision, test_intervals);
     writes_rates_ = !rules.use.rates_written.empty();
     writes_polarity_ = !rules.use.polarizes.empty();
     const std::string source = lattice_source(experiment, plan, rules, bounded_chemicals(experiment),
-                                              session.options().precision, width_, together_);
+                                              session.options().precision, width_, together_, means_ != nullptr);
     kernel_ = cl::Kernel(session.build(source), "pelage_lattice_step");
 }
 
@@ -131,6 +134,7 @@ void LatticeStep::set_shape(LatticeState& state, const cl::Buffer& parameters, c
     kernel_.setArg(14, static_cast<cl_int>(shape.band));
     kernel_.setArg(17, static_cast<cl_uint>(seed_ & 0xffffffffu));
     kernel_.setArg(18, static_cast<cl_uint>(seed_ >> 32));
+    if (means_) kernel_.setArg(together_ ? 23 : 19, means_->of(state));
 }
 
 void LatticeStep::enqueue(LatticeState& state, const cl::Buffer& parameters, std::uint64_t first, std::uint64_t count,

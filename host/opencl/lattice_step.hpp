@@ -9,10 +9,13 @@
 #include "opencl/shared_steps.hpp"
 
 #include <cstdint>
+#include <memory>
 #include <string>
 #include <vector>
 
 namespace pelage {
+
+class LatticeMeans;
 
 // How the work of one launch is dealt out.
 struct LaunchShape {
@@ -50,9 +53,10 @@ public:
 // The plain kernel, for any set of rules.
 class LatticeStep final : public LatticeKernel {
 public:
-    // Rules that are not `active` are left out; with `test_intervals` the kernel tests when the others act.
+    // Rules that are not `active` are left out; with `test_intervals` the kernel tests when the others act. `means`: of
+    // rates between neighbours, null where they are taken in every iteration.
     LatticeStep(const Session&, const Experiment&, const LatticePlan&, const std::vector<bool>& active,
-                bool test_intervals);
+                bool test_intervals, std::shared_ptr<LatticeMeans> means);
 
     void enqueue(LatticeState&, const cl::Buffer& parameters, std::uint64_t first, std::uint64_t count, Pace&) override;
     std::string describe() const override;
@@ -68,6 +72,7 @@ private:
     bool writes_polarity_ = false;
     bool together_;
     SharedSteps shared_;
+    std::shared_ptr<LatticeMeans> means_;
     cl::Kernel kernel_;
 };
 

@@ -53,10 +53,15 @@ bool LatticeTraits::visits() const {
     return turns();
 }
 
-std::string LatticeTraits::visit() const {
+std::string LatticeTraits::visit(bool means) const {
     std::string text;
     for (std::size_t i = 0; i < plan_.rates.size(); ++i) {
         if (!visited(i)) continue;
+        if (means && per_cell(i)) {
+            const std::string felt = fmt::format("pelage_directed(r{}, px, py, dx, dy, diagonal)", i);
+            text += fmt::format("EXCHANGE_MEANT({0}, {1})\n", i, directed(i) ? felt : fmt::format("r{}", i));
+            continue;
+        }
         const char* how = directed(i) ? "DIRECTED" : per_cell(i) ? "PER_CELL" : "UNIFORM";
         text += fmt::format("EXCHANGE_{}({})\n", how, i);
     }

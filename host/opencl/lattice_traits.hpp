@@ -31,8 +31,8 @@ public:
     bool polarity() const;  // read, or written
     bool visits() const;    // some neighbours are looked at one by one
 
-    // What is done for each neighbour.
-    std::string visit() const;
+    // What is done for each neighbour. `means`: rates between neighbours are known (kernels/lattice_means.cl).
+    std::string visit(bool means = false) const;
     // Declares turned_x and turned_y: the polarity becomes the unit gradient where that is steep enough.
     std::string turn(Precision) const;
     // Defines for kernels/exchange.cl.

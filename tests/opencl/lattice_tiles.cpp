@@ -25,7 +25,7 @@ TEST_CASE("tiles: every reaction, one cell a work-item") { check_cases("reaction
 TEST_CASE("tiles: polarized cells and uneven rates") {
     check_cases("rates/polarized/nine-point/no-flux", tiled());
     check_cases("rates/polarized/published", tiled({3, 8, 8, 8}, 1));
-    check_cases("rates/uneven", tiled());
+    check_cases("rates/uneven/nine-point/wrap", tiled());
 }
 TEST_CASE("tiles: rules") { check_cases("rules/", tiled()); }
 TEST_CASE("tiles: growth") {
