@@ -17,5 +17,6 @@ void add_devices(CLI::App&, int& exit_code);
 void add_check(CLI::App&, int& exit_code);
 void add_verify(CLI::App&, int& exit_code);
 void add_bench(CLI::App&, int& exit_code);
+void add_tune(CLI::App&, int& exit_code);
 
 }  // namespace pelage::app

@@ -35,6 +35,7 @@ Machine on_reference(const RunOptions& options, const Experiment& experiment) {
                     "C++",
                     "-ffp-contract=off",
                     {},
+                    {},
                     {}};
     const std::string reason = machine.backend->why_not(experiment);
     if (!reason.empty()) throw Error(fmt::format("the reference cannot run this experiment: {}", reason));
@@ -56,8 +57,8 @@ Machine on_opencl(const RunOptions& options, const Experiment& experiment, const
     if (!reason.empty()) throw Error(fmt::format("device '{}' cannot run this experiment: {}", device.name, reason));
     std::string build_options = backend->build_options();
     wanted.device = std::to_string(device.index);
-    return {std::move(backend),       "opencl", {},    device.name, device.driver, device.platform,
-            std::move(build_options), wanted,   device};
+    return {std::move(backend),       "opencl", {},     device.name, device.driver, device.platform,
+            std::move(build_options), wanted,   device, {}};
 }
 
 }  // namespace

@@ -23,6 +23,7 @@ struct Machine {
     std::string build_options;
     std::optional<OpenclOptions> opencl;  // what the backend was made with, its device named by index
     DeviceInfo info;                      // of an OpenCL device
+    std::string tuning;                   // what was chosen for a lattice on OpenCL; see tuning.hpp
 };
 
 // Without options.backend: OpenCL where a device is usable for this experiment, else the reference. A backend or device

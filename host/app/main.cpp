@@ -51,6 +51,7 @@ int run(int argc, char** argv) {
     pelage::app::add_check(app, exit_code);
     pelage::app::add_verify(app, exit_code);
     pelage::app::add_bench(app, exit_code);
+    pelage::app::add_tune(app, exit_code);
     const int parsed = parse(app, argc, argv);
     if (parsed != pelage::app::success) return parsed;
     if (std::fflush(stdout) != 0) return complain("standard output cannot be written");

@@ -88,6 +88,7 @@ void Recorder::manifest(const Snapshot& state, const Tally& tally, const char* e
     manifest.started = started_;
     manifest.more_texts["end"] = end;
     if (!tally.notes.empty()) manifest.more_texts["fusion"] = fmt::format("{}", fmt::join(tally.notes, "; "));
+    if (!machine_.tuning.empty()) manifest.more_texts["tuning"] = machine_.tuning;
     manifest.more_numbers["first_iteration"] = static_cast<double>(tally.started_at);
     manifest.more_numbers["writing_seconds"] = writing_;
     if (tally.search.iterations > 0) {

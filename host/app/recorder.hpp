@@ -18,11 +18,11 @@ namespace pelage::app {
 
 // What a run has cost so far.
 struct Tally {
-    std::uint64_t started_at = 0;  // iteration
-    double seconds = 0;            // of stepping, kernel compilation included
-    double updates = 0;            // cells times iterations
-    SearchStatistics growing;      // those of them taken while cells divided
-    SearchStatistics search;       // samples of an approximate neighbour search; none of an exact one
+    std::uint64_t started_at = 0;    // iteration
+    double seconds = 0;              // of stepping, kernel compilation included
+    double updates = 0;              // cells times iterations
+    SearchStatistics growing;        // those of them taken while cells divided
+    SearchStatistics search;         // samples of an approximate neighbour search; none of an exact one
     std::vector<std::string> notes;  // how iterations were carried out
     double updates_per_second() const { return seconds > 0 ? updates / seconds : 0; }
 };

@@ -57,7 +57,11 @@ void add_machine_options(CLI::App& command, RunOptions& options) {
                      "Let the OpenCL compiler reorder arithmetic: faster, but no longer the reference's bits");
     command.add_flag("--no-self-test", options.no_self_test,
                      "Run even on a device that fails, or without asking it, the test in small before a run");
-    command.add_flag("--no-cache", options.no_cache, "Compile device programs anew, and keep none on disk");
+    command.add_flag("--no-tune", options.no_tune,
+                     "Take the usual kernel of a lattice as it is; without this a long run first looks for a faster "
+                     "one, in 5 seconds, or remembers it");
+    command.add_flag("--no-cache", options.no_cache,
+                     "Compile device programs anew, keep none on disk and remember nothing");
 }
 
 void add_course_options(CLI::App& command, RunOptions& options) {

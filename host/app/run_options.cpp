@@ -52,7 +52,7 @@ std::string resume_command(const RunOptions& options, const std::filesystem::pat
          {std::pair(options.polarity_marks, "--polarity-marks"), std::pair(options.quiet, "--quiet"),
           std::pair(options.explain, "--explain"), std::pair(options.fast, "--fast"),
           std::pair(options.no_cache, "--no-cache"), std::pair(options.no_self_test, "--no-self-test"),
-          std::pair(options.force, "--force")}) {
+          std::pair(options.no_tune, "--no-tune"), std::pair(options.force, "--force")}) {
         if (set) words.emplace_back(option);
     }
     add("--resume", checkpoint.string());

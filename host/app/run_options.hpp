@@ -34,6 +34,7 @@ struct RunOptions {
     bool no_cache = false;
     bool explain = false;
     bool no_self_test = false;
+    bool no_tune = false;
     bool force = false;
 
     NeighbourSearch neighbour_search() const;

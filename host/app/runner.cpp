@@ -11,6 +11,7 @@
 #include "app/recorder.hpp"
 #include "app/self_check.hpp"
 #include "app/timetable.hpp"
+#include "app/tuning.hpp"
 #include "core/error.hpp"
 #include "core/prepattern.hpp"
 
@@ -225,12 +226,14 @@ int run_experiment(const RunOptions& options) {
     const Prepared prepared = prepare(options);
     const Footprint needed = footprint(prepared.experiment, prepared.last, options.precision);
     check_host_memory(prepared.experiment, needed, host_memory());
-    const Machine machine = choose_machine(options, prepared.experiment, needed);
+    Machine machine = choose_machine(options, prepared.experiment, needed);
     const Snapshot initial = initial_state(prepared.experiment);
     if (!options.force) check_stability(prepared.experiment, initial);
-    if (!trusted(options, prepared, machine, prepared.resumed ? *prepared.resumed : initial)) return failed_check;
+    const Snapshot& start = prepared.resumed ? *prepared.resumed : initial;
+    if (!trusted(options, prepared, machine, start)) return failed_check;
     prepare_folder(options.folder());
     prepare_json(options.json);
+    tune_machine(options, prepared, start, machine);
     const std::unique_ptr<Tissue> tissue = machine.backend->make_tissue(prepared.experiment, initial);
     if (prepared.resumed) tissue->write(*prepared.resumed);
     announce(options, prepared, machine, *tissue);

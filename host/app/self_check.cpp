@@ -1,6 +1,7 @@
 // See self_check.hpp.
 #include "app/self_check.hpp"
 
+#include "app/own_program.hpp"
 #include "core/error.hpp"
 #include "io/atomic_file.hpp"
 #include "io/checksum.hpp"
@@ -16,17 +17,18 @@ namespace pelage::app {
 
 namespace {
 
-// All that a passed test depends on. The program is taken whole: its own file.
+// All that a passed test depends on.
 std::string key_of(const OpenclOptions& options, const DeviceInfo& device, const Experiment& experiment,
                    const Snapshot& initial, std::uint64_t last) {
-    Checksum program;
-    const std::string bytes = read_file(std::filesystem::canonical("/proc/self/exe"));
-    program.add(bytes.data(), bytes.size());
-    return fmt::format("pelage self-test passed\n{}\n{}\n{}\n{}\n{:016x}\n{} {} {}\n{} to {}, {} x {}, {} cells\n{}",
-                       device.name, device.version, device.driver, device.platform_version, program.value(),
-                       options.precision == Precision::double_ ? "double" : "float", options.fast ? "fast" : "exact",
-                       static_cast<int>(options.neighbours), initial.iteration, last, initial.columns, initial.rows,
-                       initial.cells(), experiment.text);
+    const LatticeCut& cut = options.cut;
+    return fmt::format(
+        "pelage self-test passed\n{}\n{}\n{}\n{}\n{}\n{} {} {}\nkernel {} {} {} {} {} {} {}\n"
+        "{} to {}, {} x {}, {} cells\n{}",
+        device.name, device.version, device.driver, device.platform_version, own_checksum(),
+        options.precision == Precision::double_ ? "double" : "float", options.fast ? "fast" : "exact",
+        static_cast<int>(options.neighbours), static_cast<int>(options.fusion), options.width, options.work_group,
+        cut.depth, cut.columns, cut.rows, cut.group, initial.iteration, last, initial.columns, initial.rows,
+        initial.cells(), experiment.text);
 }
 
 std::filesystem::path file_of(const std::string& key) {

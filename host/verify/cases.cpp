@@ -124,12 +124,12 @@ std::vector<Case> diffusion_cases() {
                 return diffusing(Lab::matrix(size.columns, size.rows, boundary, stencil));
             };
             cases.push_back(
-                {fmt::format("diffusion/{}/{}", word(stencil), word(boundary)), make, sharp_sizes(), 100, {}});
+                {fmt::format("diffusion/{}/{}", word(stencil), word(boundary)), make, sharp_sizes(), 60, {}});
         }
     }
     for (const bool wrap : {false, true}) {
         const auto make = [=](Size size) { return diffusing(Lab::grid(size.columns, size.rows, wrap)); };
-        cases.push_back({fmt::format("diffusion/published/{}", wrap ? "wrap" : "open"), make, sharp_sizes(), 100, {}});
+        cases.push_back({fmt::format("diffusion/published/{}", wrap ? "wrap" : "open"), make, sharp_sizes(), 60, {}});
     }
     return cases;
 }
@@ -137,8 +137,8 @@ std::vector<Case> diffusion_cases() {
 std::vector<Case> reaction_cases() {
     const auto fused = [](Size size) { return reacting(Lab::matrix(size.columns, size.rows, Boundary::no_flux)); };
     const auto published = [](Size size) { return reacting(Lab::grid(size.columns, size.rows, true)); };
-    return {{"reaction/fused", fused, few_sizes(), 100, {}, false, true},
-            {"reaction/published", published, few_sizes(), 100, {}, false, true}};
+    return {{"reaction/fused", fused, few_sizes(), 60, {}, false, true},
+            {"reaction/published", published, few_sizes(), 60, {}, false, true}};
 }
 
 std::vector<Case> rate_cases() {

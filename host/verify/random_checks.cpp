@@ -13,7 +13,7 @@ namespace pelage::verify {
 namespace {
 
 constexpr std::size_t quick_count = 2;
-constexpr std::size_t full_count = 24;
+constexpr std::size_t full_count = 16;
 
 Outcome follows(Place& place, std::uint64_t seed) {
     Outcome outcome;

@@ -87,7 +87,9 @@ std::filesystem::path checkpoint_at_40(const Folder& folder, const std::string& 
 
 }  // namespace
 
-TEST_CASE("option --checkpoint-every keeps the latest state, and a run resumed from it ends in the same bits on any backend") {
+TEST_CASE(
+    "option --checkpoint-every keeps the latest state, and a run resumed from it ends in the same bits on any "
+    "backend") {
     const Folder folder;
     const std::string growing = test::spots + "rule every 15 offset 2 always expand columns 1 rows 1\n";
     const std::string file = folder.write("spots.pex", growing);

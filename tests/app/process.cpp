@@ -115,6 +115,26 @@ Outcome command(std::vector<std::string> words, const Surroundings& surroundings
     return Child(words, surroundings).wait();
 }
 
+pid_t worker_of(pid_t parent) {
+    for (int attempt = 0; attempt < 1000; ++attempt) {
+        for (const auto& entry : std::filesystem::directory_iterator("/proc")) {
+            std::ifstream status(entry.path() / "stat");  // "PID (NAME) STATE PARENT ..."
+            std::string line;
+            if (!std::getline(status, line)) continue;
+            std::istringstream rest(line.substr(line.rfind(')') + 1));
+            char state = 0;
+            pid_t above = 0;
+            if (!(rest >> state >> above) || above != parent) continue;
+            // Before it has become another program, its parent cannot go on either.
+            if (read_all(entry.path() / "cmdline").find("--worker") != std::string::npos) {
+                return std::stoi(entry.path().filename());
+            }
+        }
+        std::this_thread::sleep_for(std::chrono::milliseconds(5));
+    }
+    return 0;
+}
+
 bool wait_for(const std::filesystem::path& file, Child& child) {
     const auto end = std::chrono::steady_clock::now() + patience;
     while (!std::filesystem::exists(file)) {

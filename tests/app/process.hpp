@@ -67,6 +67,9 @@ private:
 // pelage WORDS..., to its end.
 Outcome command(std::vector<std::string> words, const Surroundings& = {});
 
+// The child process with --worker of a `pelage` that has started, once it is there; 0: none came.
+pid_t worker_of(pid_t parent);
+
 // The file is there; false when the child ends or two minutes pass first.
 bool wait_for(const std::filesystem::path&, Child&);
 

@@ -4,12 +4,7 @@
 #include <catch2/catch.hpp>
 #include <nlohmann/json.hpp>
 
-#include <chrono>
 #include <csignal>
-#include <filesystem>
-#include <fstream>
-#include <sstream>
-#include <thread>
 
 using Catch::Contains;
 using test::Child;
@@ -17,29 +12,9 @@ using test::command;
 using test::Folder;
 using test::Outcome;
 using test::read_all;
+using test::worker_of;
 
 namespace {
-
-// The process that runs the checks for a `pelage verify`, once it is there.
-pid_t worker_of(pid_t parent) {
-    for (int attempt = 0; attempt < 1000; ++attempt) {
-        for (const auto& entry : std::filesystem::directory_iterator("/proc")) {
-            std::ifstream status(entry.path() / "stat");  // "PID (NAME) STATE PARENT ..."
-            std::string line;
-            if (!std::getline(status, line)) continue;
-            std::istringstream rest(line.substr(line.rfind(')') + 1));
-            char state = 0;
-            pid_t above = 0;
-            if (!(rest >> state >> above) || above != parent) continue;
-            // Before it has become another program, its parent cannot go on either.
-            if (read_all(entry.path() / "cmdline").find("--worker") != std::string::npos) {
-                return std::stoi(entry.path().filename());
-            }
-        }
-        std::this_thread::sleep_for(std::chrono::milliseconds(5));
-    }
-    return 0;
-}
 
 // What becomes of a check whose process is sent that signal.
 Outcome disturbed(const Folder& folder, int signal) {

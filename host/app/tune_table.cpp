@@ -1,0 +1,97 @@
+// See tune_table.hpp.
+#include "app/tune_table.hpp"
+
+#include "app/progress.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <vector>
+
+namespace pelage::app {
+
+namespace {
+
+using tune::Candidate;
+using tune::Trial;
+using tune::Verdict;
+
+constexpr std::size_t column_count = 9;
+using Line = std::array<std::string, column_count>;
+
+std::string number_or_dash(std::size_t value) { return value == 0 ? "-" : std::to_string(value); }
+
+std::string across(const tune::Candidate& candidate) {
+    const LatticeCut& cut = candidate.cut;
+    if (cut.columns == 0 && cut.rows == 0) return "-";
+    return fmt::format("{} x {}", cut.columns, cut.rows);
+}
+
+Line line_of(const Trial& trial, std::size_t rank, double defaults) {
+    const Candidate& candidate = trial.candidate;
+    const bool good = trial.verdict == Verdict::good;
+    return {good ? std::to_string(rank) : "-",
+            tune::kernel_name(candidate.fusion),
+            number_or_dash(candidate.width),
+            number_or_dash(candidate.cut.depth),
+            across(candidate),
+            number_or_dash(candidate.cut.group),
+            good ? fmt::format("{} million", megas(trial.updates_per_second)) : "-",
+            good && defaults > 0 ? fmt::format("{:.2f} x", trial.updates_per_second / defaults) : "-",
+            word(trial.verdict)};
+}
+
+std::string aligned(const std::vector<Line>& lines) {
+    std::array<std::size_t, column_count> widths{};
+    for (const Line& line : lines) {
+        for (std::size_t i = 0; i < column_count; ++i) widths[i] = std::max(widths[i], line[i].size());
+    }
+    std::string text;
+    for (const Line& line : lines) {
+        for (std::size_t i = 0; i + 1 < column_count; ++i) text += fmt::format("{:<{}}  ", line[i], widths[i]);
+        text += line.back() + "\n";
+    }
+    return text;
+}
+
+std::string reasons(const std::vector<Trial>& trials) {
+    std::string text;
+    for (const Trial& trial : trials) {
+        if (trial.message.empty()) continue;
+        text += fmt::format("{}: {}: {}\n", trial.candidate.text(), word(trial.verdict), trial.message);
+    }
+    return text.empty() ? "" : "\n" + text;
+}
+
+std::string conclusion(const Tuning& tuning) {
+    const tune::Record& record = tuning.record;
+    const Candidate best = record.best();
+    if (record.find({}) == nullptr) return "There was no time even for the defaults: runs take these.\n";
+    const std::string memory = tuning.remembered ? "Remembered from an earlier search; --forget tries all anew. " : "";
+    if (best == Candidate{}) {
+        return fmt::format("{}Nothing is faster than the defaults by more than {:.0f} %: runs take these.\n", memory,
+                           100 * tune::least_gain);
+    }
+    const std::string gain =
+        record.gain() > 0 ? fmt::format(", {:.0f} % faster than the defaults", 100 * record.gain()) : "";
+    return fmt::format("{}Runs of this kind and size will take: {}{}.\n", memory, best.text(), gain);
+}
+
+}  // namespace
+
+std::string tuning_table(const Tuning& tuning, const DeviceInfo& device) {
+    const tune::Record& record = tuning.record;
+    std::vector<Trial> trials = record.trials;
+    std::ranges::stable_sort(trials, std::ranges::greater{}, &Trial::updates_per_second);
+    const Trial* defaults = record.find({});
+    std::vector<Line> lines{{"RANK", "KERNEL", "WIDTH", "DEPTH", "COLUMNS x ROWS", "GROUP", "CELL-UPDATES/S",
+                             "AGAINST DEFAULTS", "VERDICT"}};
+    for (std::size_t i = 0; i < trials.size(); ++i) {
+        lines.push_back(line_of(trials[i], i + 1, defaults == nullptr ? 0 : defaults->updates_per_second));
+    }
+    return fmt::format("{} ({}, driver {}), {} cells, {}\n{}{}\n{}", device.name, device.platform, device.driver,
+                       record.key.size, record.key.precision, aligned(lines), reasons(trials), conclusion(tuning));
+}
+
+}  // namespace pelage::app

@@ -1,0 +1,96 @@
+// What there is to try on each kind of device.
+#include "tune/candidate.hpp"
+
+#include <algorithm>
+
+namespace pelage::tune {
+
+namespace {
+
+using Candidates = std::vector<Candidate>;
+
+void add(Candidates& list, const Candidate& candidate) {
+    if (std::ranges::find(list, candidate) == list.end()) list.push_back(candidate);
+}
+
+bool processor(const DeviceInfo& device) { return device.type == "cpu" && !device.software_rasteriser(); }
+
+std::size_t lanes(const DeviceInfo& device, Precision precision) {
+    const std::size_t there = precision == Precision::double_ ? device.vector_width_double : device.vector_width_float;
+    std::size_t width = 1;
+    while (width < 16 && 2 * width <= there) width *= 2;
+    return width;
+}
+
+Candidate streamed(std::size_t width, std::size_t depth, std::size_t columns, std::size_t rows) {
+    return {Fusion::always, width, {depth, columns, rows, 0}};
+}
+
+Candidate tiled(std::size_t depth, std::size_t columns, std::size_t rows, std::size_t group) {
+    return {Fusion::tiled, 0, {depth, columns, rows, group}};
+}
+
+Candidates for_processors(std::size_t width, Effort effort) {
+    const std::size_t half = std::max<std::size_t>(1, width / 2);
+    Candidates list{{},
+                    streamed(width, 24, 256, 4),
+                    streamed(width, 16, 512, 8),
+                    {Fusion::shared, width, {}},
+                    streamed(width, 32, 512, 4),
+                    streamed(half, 16, 256, 8),
+                    streamed(width, 16, 128, 16),
+                    streamed(width, 8, 256, 8)};
+    if (effort == Effort::quick) return list;
+    for (const std::size_t across : {width, half}) {
+        for (const std::size_t depth : {8u, 16u, 24u, 32u}) {
+            for (const std::size_t columns : {128u, 256u, 512u}) {
+                for (const std::size_t rows : {4u, 8u, 16u}) add(list, streamed(across, depth, columns, rows));
+            }
+        }
+        add(list, {Fusion::shared, across, {}});
+        add(list, {Fusion::never, across, {}});
+    }
+    return list;
+}
+
+Candidates for_others(Effort effort) {
+    Candidates list{{},
+                    tiled(4, 32, 32, 256),
+                    tiled(6, 32, 32, 256),
+                    tiled(4, 64, 16, 256),
+                    {Fusion::never, 1, {0, 0, 0, 256}},
+                    tiled(2, 64, 16, 128),
+                    tiled(8, 32, 32, 256),
+                    tiled(4, 32, 16, 64),
+                    {Fusion::never, 2, {0, 0, 0, 128}},
+                    {Fusion::always, 0, {8, 0, 0, 64}},
+                    tiled(6, 64, 16, 256),
+                    {Fusion::never, 4, {0, 0, 0, 64}}};
+    if (effort == Effort::quick) return list;
+    for (const std::size_t width : {1u, 2u, 4u}) {
+        for (const std::size_t group : {32u, 64u, 128u, 256u}) add(list, {Fusion::never, width, {0, 0, 0, group}});
+    }
+    for (const std::size_t depth : {2u, 4u, 6u, 8u}) {
+        for (const std::size_t columns : {16u, 32u, 64u}) {
+            for (const std::size_t rows : {8u, 16u, 32u}) {
+                for (const std::size_t group : {64u, 128u, 256u}) add(list, tiled(depth, columns, rows, group));
+            }
+        }
+    }
+    for (const std::size_t depth : {4u, 8u, 16u}) {
+        for (const std::size_t group : {64u, 128u, 256u}) add(list, {Fusion::always, 0, {depth, 0, 0, group}});
+    }
+    return list;
+}
+
+}  // namespace
+
+std::vector<Candidate> candidates(const DeviceInfo& device, Precision precision, Effort effort) {
+    if (processor(device)) return for_processors(lanes(device, precision), effort);
+    Candidates list = for_others(effort);
+    const std::size_t most = std::max<std::size_t>(1, device.max_work_group);
+    std::erase_if(list, [&](const Candidate& candidate) { return candidate.cut.group > most; });
+    return list;
+}
+
+}  // namespace pelage::tune
