@@ -46,8 +46,8 @@ static inline uint pelage_mask_of(int16 lanes) {
 // Bit k: point begin + k is near and comes before end.
 static inline uint pelage_near(__global const scalar* x, __global const scalar* y, int begin, int end,
                         scalar centre_x, scalar centre_y, scalar square) {
-    const real dx = vload16(0, x + begin) - centre_x;
-    const real dy = vload16(0, y + begin) - centre_y;
+    const real dx = LOAD(x + begin) - centre_x;
+    const real dy = LOAD(y + begin) - centre_y;
     const uint near = pelage_mask_of(convert_int16(dx * dx + dy * dy < square));
     return end - begin < 16 ? near & ((1u << (end - begin)) - 1u) : near;
 }
@@ -81,6 +81,20 @@ static inline int16 pelage_before(int16 all, int16 v) {
     return count;
 }
 
+static inline int8 pelage_before_8(int8 all) {
+    int8 count = -(all.s12345670 < all);
+    count -= all.s23456701 < all;
+    count -= all.s34567012 < all;
+    count -= all.s45670123 < all;
+    count -= all.s56701234 < all;
+    count -= all.s67012345 < all;
+    count -= all.s70123456 < all;
+    return count;
+}
+
+#define PELAGE_IDS_8(places)                                                                                \
+    (int8)(ids[places.s0], ids[places.s1], ids[places.s2], ids[places.s3], ids[places.s4], ids[places.s5], \
+           ids[places.s6], ids[places.s7])
 #define PELAGE_IDS(places)                                                                                        \
     (int16)(ids[places.s0], ids[places.s1], ids[places.s2], ids[places.s3], ids[places.s4], ids[places.s5],       \
             ids[places.s6], ids[places.s7], ids[places.s8], ids[places.s9], ids[places.sa], ids[places.sb],       \
@@ -96,17 +110,27 @@ static inline void pelage_list_scatter(__global int* list, int16 rank, int16 pla
 }
 
 // At most 32 places, sorted by rank. Lanes past `length` store the point itself behind them: room for 16 or 32 entries.
+// Of most tissues lists have 8 at most.
 static inline void pelage_list_store(__global int* list, const int* found, int length, int self,
                               __global const int* ids) {
+    if (length <= 8) {
+        const int8 eight = (int8)(0, 1, 2, 3, 4, 5, 6, 7);
+        const int8 few = select((int8)self, vload8(0, found), eight < length);
+        const int8 rank = pelage_before_8(select(0x7fffffc0 + eight, PELAGE_IDS_8(few), eight < length));
+        const int8 places = few;
+        PELAGE_STORE4(s0, s1, s2, s3)
+        PELAGE_STORE4(s4, s5, s6, s7)
+        return;
+    }
     const int16 lane = (int16)(0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15);
     const int16 last = 0x7fffffc0 + lane;
-    const int16 places = select((int16)self, vload16(0, found), lane < length);
+    const int16 places = select((int16)self, LOAD(found), lane < length);
     const int16 order = select(last, PELAGE_IDS(places), lane < length);
     if (length <= 16) {
         pelage_list_scatter(list, pelage_before(order, order), places);
         return;
     }
-    const int16 more_places = select((int16)self, vload16(1, found), lane + 16 < length);
+    const int16 more_places = select((int16)self, LOAD(found + 16), lane + 16 < length);
     const int16 more_order = select(last + 16, PELAGE_IDS(more_places), lane + 16 < length);
     pelage_list_scatter(list, pelage_before(order, order) + pelage_before(more_order, order), places);
     pelage_list_scatter(list, pelage_before(order, more_order) + pelage_before(more_order, more_order), more_places);
@@ -144,17 +168,44 @@ __kernel void pelage_neighbours_lists(__global const scalar* restrict positions,
     __global int* restrict list = lists + pelage_list_begin(self, capacity);
     int length = 0;
 #if PELAGE_WIDTH == 16
-    // Nearly always each run has at most 32 points and the list at most as many entries.
-    if (max(max(end[0] - begin[0], end[1] - begin[1]), end[2] - begin[2]) <= 32) {
+    const int longest_run = max(max(end[0] - begin[0], end[1] - begin[1]), end[2] - begin[2]);
+    // Most runs have at most 16 points: all three are then one mask, bit 16 k + i for point i of run k.
+    if (longest_run <= 16) {
+        int found[48];
+        int base[4] = {0, 0, 0, 0};
+        ulong mask = 0;
+        for (int k = 0; k < 3; ++k) {
+            base[k] = begin[k] - 16 * k;
+            mask |= (ulong)pelage_near(x, y, begin[k], end[k], centre_x, centre_y, square) << (16 * k);
+        }
+        mask &= ~((ulong)1 << (self - begin[1] + 16));
+        length = (int)popcount(mask);
+        if (length <= min(capacity & ~15, 32)) {
+            for (int i = 0; i < length; i += 8) {
+                #pragma unroll
+                for (int j = 0; j < 8; ++j) {
+                    const int bit = (63 - (int)clz(mask & -mask)) & 63;
+                    found[i + j] = base[bit >> 4] + bit;
+                    mask &= mask - 1;
+                }
+            }
+            pelage_list_store(list, found, length, self, ids);
+            lengths[self] = length;
+            return;
+        }
+        length = 0;
+    }
+    // Nearly all others have at most 32 points, and the list as many entries.
+    if (longest_run <= 32) {
         int found[48];
         for (int k = 0; k < 3 && length <= 32; ++k) {
             uint mask = pelage_near_32(x, y, begin[k], end[k], centre_x, centre_y, square);
             if (k == 1) mask &= ~(1u << (self - begin[1]));
             const int count = (int)popcount(mask);
             if (length + count <= 32) {
-                for (int i = 0; i < count; i += 8) {
+                for (int i = 0; i < count; i += 4) {
                     #pragma unroll
-                    for (int j = 0; j < 8; ++j) {
+                    for (int j = 0; j < 4; ++j) {
                         found[length + i + j] = begin[k] + 31 - (int)clz(mask & -mask);
                         mask &= mask - 1;
                     }

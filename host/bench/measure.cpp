@@ -163,7 +163,7 @@ private:
     // Cell updates after which a lattice on OpenCL has compiled all it wants to.
     double least_work(const Contender& contender) const {
         const bool chooses = contender.backend == "opencl" || contender.backend == "opencl-fast";
-        return !chooses || case_.suite != "lattice" ? 0 : options_.quick ? 1e6 : 1.2e8;
+        return !chooses || case_.suite != "lattice" ? 0 : options_.quick ? 1e6 : 2.5e8;
     }
 
     // Iterations that take about as long as a run shall.
@@ -176,7 +176,11 @@ private:
             done += 2 * static_cast<double>(count) * contest_.updates;
             if (seconds >= target / 4 && (done >= least_work || seconds > 4 * target)) {
                 const double wanted = std::max(1.0, target / seconds * static_cast<double>(count));
-                const auto iterations = static_cast<std::uint64_t>(wanted);
+                count = static_cast<std::uint64_t>(wanted);
+                // What was timed may have been a compilation, and another program may have come in meanwhile.
+                const double again = std::max(1e-7, seconds_of(task, count));
+                if (again < target / 2) continue;
+                const auto iterations = static_cast<std::uint64_t>(std::max(1.0, wanted * target / again));
                 return iterations < 32 ? iterations : iterations / 16 * 16;  // whole passes where steps are fused
             }
             count *= seconds < target / 32 ? 8 : 2;

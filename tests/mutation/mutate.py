@@ -24,13 +24,20 @@ PARTS = ["CMakeLists.txt", "cmake", "host", "reference", "kernels"]
 
 
 def copy_sources(to):
+    """What has changed since the last time gets a new date, so that it is compiled; what has gone goes."""
+    wanted = set()
     for part in PARTS:
-        source, target = ROOT / part, to / part
-        if source.is_dir():
-            shutil.copytree(source, target, dirs_exist_ok=True)
-        else:
-            target.parent.mkdir(parents=True, exist_ok=True)
-            shutil.copy2(source, target)
+        files = [ROOT / part] if (ROOT / part).is_file() else sorted((ROOT / part).rglob("*"))
+        wanted.update(file.relative_to(ROOT) for file in files if file.is_file())
+    for name in wanted:
+        source, target = ROOT / name, to / name
+        if target.exists() and target.read_bytes() == source.read_bytes():
+            continue
+        target.parent.mkdir(parents=True, exist_ok=True)
+        shutil.copyfile(source, target)
+    for old in to.rglob("*"):
+        if old.is_file() and old.relative_to(to) not in wanted:
+            old.unlink()
 
 
 def build(work):
