@@ -2,8 +2,7 @@
 #include "app/memory.hpp"
 
 #include "core/error.hpp"
-#include "core/prepattern.hpp"
-#include "core/schedule.hpp"
+#include "core/forecast.hpp"
 
 #include <fmt/format.h>
 #include <unistd.h>
@@ -11,37 +10,8 @@
 #include <algorithm>
 #include <array>
 #include <fstream>
-#include <variant>
 
 namespace pelage::app {
-
-namespace {
-
-// How often a rule acts in iterations 0 .. last - 1.
-double activations(const Rule& rule, std::uint64_t last) {
-    const std::uint64_t first = next_active(rule, 0);
-    if (last == 0 || first > last - 1) return 0;
-    const std::uint64_t count = (std::min(rule.until, last - 1) - first) / rule.every + 1;
-    return static_cast<double>(count);
-}
-
-double final_cells(const Experiment& experiment, std::uint64_t last) {
-    const auto matrix =
-        std::find_if(experiment.prepattern.begin(), experiment.prepattern.end(),
-                     [](const auto& statement) { return std::holds_alternative<CreateMatrix>(statement); });
-    if (matrix == experiment.prepattern.end()) return static_cast<double>(count_cells(experiment));
-    auto columns = static_cast<double>(std::get<CreateMatrix>(*matrix).columns);
-    auto rows = static_cast<double>(std::get<CreateMatrix>(*matrix).rows);
-    for (const Rule& rule : experiment.rules) {
-        const auto* growth = std::get_if<Expand>(&rule.action);
-        if (growth == nullptr) continue;
-        columns += activations(rule, last) * static_cast<double>(growth->columns);
-        rows += activations(rule, last) * static_cast<double>(growth->rows);
-    }
-    return columns * rows;
-}
-
-}  // namespace
 
 Footprint footprint(const Experiment& experiment, std::uint64_t last, Precision precision) {
     const auto chemicals = static_cast<double>(experiment.chemicals.size());

@@ -72,8 +72,8 @@ FusedShape stream_shape(const Session& session, const FusedFields& fields, std::
     const LatticeCut& wish = session.options().cut;
     FusedShape shape;
     shape.prefetch = is_cpu(session);
-    shape.depth = wished(wish.depth, 24);
-    shape.rows = wished(wish.rows, 8);
+    shape.depth = wished(wish.depth, 16);
+    shape.rows = wished(wish.rows, 4);
     shape.group = group_size(session, 64);
     std::size_t columns = wished(wish.columns, 256);
     const auto vectors = [&] { return divided(columns + 2 * shape.depth, width); };

@@ -142,13 +142,12 @@ private:
         }
     }
 
-    // A streamed program takes seconds to compile: so much `work`, in cell-updates, must have come by and must lie
-    // ahead. And what threads hold in their own caches is shared faster than it is streamed.
+    // A streamed program takes seconds to compile: some `work`, in cell-updates, must have come by, and so much must
+    // lie ahead under these rules. And what threads hold in their own caches is shared faster than it is streamed.
     bool wants_streaming(const std::vector<bool>& active, double work, std::uint64_t iteration) {
         if (!is_cpu(*session_) || work < 2e8 || fits_caches()) return false;
-        const std::uint64_t last = std::max(experiment().last_iteration(), iteration);
-        const double ahead = static_cast<double>(last - iteration) * static_cast<double>(do_cells());
-        return work + ahead >= 2e9 && reason_against(active).empty();
+        const auto cells = static_cast<double>(do_cells());
+        return streaming_pays(experiment(), active, iteration, cells, work) && reason_against(active).empty();
     }
 
     const std::string& reason_against(const std::vector<bool>& active) {
@@ -159,12 +158,10 @@ private:
     }
 
     bool fits_caches() const {
-        constexpr std::size_t cache_bytes = 1'500'000;  // of one thread's second level, much of it
         std::size_t fields = 0;
         const LatticeTraits traits(experiment(), plan_, every_use_);
         for (std::size_t i = 0; i < plan_.rates.size(); ++i) fields += traits.idle(i) ? 0 : 1;
-        const std::size_t bytes = 2 * fields * session_->scalar_bytes() * do_cells();
-        return bytes < cache_bytes * session_->info().compute_units;
+        return caches_hold(session_->info(), static_cast<double>(2 * fields * session_->scalar_bytes() * do_cells()));
     }
 
     std::unique_ptr<LatticeKernel> make_step(const std::vector<bool>& active, bool test_intervals, Path path,

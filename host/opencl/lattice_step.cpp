@@ -1,6 +1,7 @@
 // See lattice_step.hpp.
 #include "opencl/lattice_step.hpp"
 
+#include "core/forecast.hpp"
 #include "opencl/emit_lattice.hpp"
 #include "opencl/lattice_means.hpp"
 
@@ -40,6 +41,20 @@ std::size_t lattice_width(const Session& session) {
 bool tiles_pay(const Session& session) {
     if (session.info().type != "gpu" || session.info().software_rasteriser()) return false;
     return session.device().getInfo<CL_DEVICE_LOCAL_MEM_TYPE>() == CL_LOCAL;
+}
+
+bool caches_hold(const DeviceInfo& device, double bytes) {
+    constexpr double of_a_thread = 1'500'000;  // of its second level, much of it
+    return bytes < of_a_thread * device.compute_units;
+}
+
+bool streaming_pays(const Experiment& experiment, const std::vector<bool>& active, std::uint64_t iteration,
+                    double cells, double done) {
+    constexpr double enough = 2e9;
+    const std::uint64_t last = experiment.last_iteration();
+    if (iteration >= last) return done >= enough;
+    const std::uint64_t end = std::min(last, end_of_set(experiment, active, iteration));
+    return static_cast<double>(end - iteration) * cells >= enough;
 }
 
 bool shares_steps(const Session& session) {

@@ -34,6 +34,14 @@ std::size_t lattice_width(const Session&);
 // Whether tiles in local memory are faster than a launch an iteration: where local memory is not just memory.
 bool tiles_pay(const Session&);
 
+// Whether so many bytes stay in the caches of the threads that work on them.
+bool caches_hold(const DeviceInfo&, double bytes);
+
+// Whether so much lies ahead under one set of rules that a streamed program, which takes seconds to compile, pays.
+// `done`: cell-updates under them so far, which is all there is to go by past the experiment's last iteration.
+bool streaming_pays(const Experiment&, const std::vector<bool>& active, std::uint64_t iteration, double cells,
+                    double done);
+
 // Whether the device's work-groups share the steps of small lattices instead of being launched for each.
 bool shares_steps(const Session&);
 

@@ -33,7 +33,7 @@ Candidate tiled(std::size_t depth, std::size_t columns, std::size_t rows, std::s
 Candidates for_processors(std::size_t width, Effort effort) {
     const std::size_t half = std::max<std::size_t>(1, width / 2);
     Candidates list{{},
-                    streamed(width, 24, 256, 4),
+                    streamed(width, 24, 256, 8),
                     streamed(width, 16, 512, 8),
                     {Fusion::shared, width, {}},
                     streamed(width, 32, 512, 4),

@@ -1,7 +1,9 @@
 // See self_test.hpp.
 #include "verify/self_test.hpp"
 
+#include "core/forecast.hpp"
 #include "core/schedule.hpp"
+#include "opencl/lattice_step.hpp"
 #include "reference/backend.hpp"
 #include "verify/tally.hpp"
 
@@ -19,7 +21,6 @@ constexpr std::size_t most_columns = 37;  // more than two vectors of 16
 constexpr std::size_t most_rows = 13;
 constexpr std::size_t most_cells = 90;
 constexpr std::uint64_t few_iterations = 5;
-constexpr double streamed_work = 5e7;  // cell-updates from which on a run may use fused kernels
 constexpr double loose = 1e-3;
 
 // Which cells of the whole are in the piece, in order of id.
@@ -72,6 +73,19 @@ std::vector<std::uint64_t> beginnings(const Experiment& experiment, std::uint64_
     return iterations;
 }
 
+// Whether a run may take a streamed program for the rules that act at `iteration`.
+bool may_stream(const OpenclOptions& options, const Experiment& experiment, const Snapshot& initial,
+                std::uint64_t iteration, std::uint64_t last) {
+    if (options.fusion != Fusion::automatic || !initial.lattice()) return false;
+    const std::vector<bool> active = active_rules(experiment, iteration);
+    const std::uint64_t end = std::min(last, end_of_set(experiment, active, iteration));
+    const double cells = std::max(final_cells(experiment, end), static_cast<double>(initial.cells()));
+    const double scalar = options.precision == Precision::double_ ? 8 : 4;
+    const double bytes = 2 * scalar * static_cast<double>(experiment.chemicals.size()) * cells;
+    if (caches_hold(select_device(options.device), bytes)) return false;
+    return streaming_pays(experiment, active, iteration, cells, 0);
+}
+
 std::string difference(const OpenclOptions& options, const Experiment& experiment, const Snapshot& start) {
     const auto backend = opencl_backend(options);
     const bool exact =
@@ -120,14 +134,11 @@ Snapshot small_piece(const Snapshot& whole) {
 std::string self_test(const OpenclOptions& options, const Experiment& experiment, const Snapshot& initial,
                       std::uint64_t last) {
     Snapshot start = small_piece(initial);
-    const double work =
-        static_cast<double>(last - std::min(last, initial.iteration)) * static_cast<double>(initial.cells());
-    std::vector<Fusion> kinds{options.fusion};
-    if (options.fusion == Fusion::automatic && work >= streamed_work) kinds.push_back(Fusion::always);
     for (const std::uint64_t iteration : beginnings(experiment, initial.iteration, last, options.variants)) {
         start.iteration = iteration;
+        std::vector<Fusion> kinds{options.fusion};
+        if (may_stream(options, experiment, initial, iteration, last)) kinds.push_back(Fusion::always);
         for (const Fusion fusion : kinds) {
-            if (fusion == Fusion::always && !initial.lattice()) continue;
             OpenclOptions own = options;
             own.fusion = fusion;
             const std::string found = difference(own, experiment, start);

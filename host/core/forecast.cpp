@@ -1,0 +1,51 @@
+// See forecast.hpp.
+#include "core/forecast.hpp"
+
+#include "core/prepattern.hpp"
+#include "core/schedule.hpp"
+
+#include <algorithm>
+#include <variant>
+
+namespace pelage {
+
+namespace {
+
+// How often a rule acts in iterations 0 .. last - 1.
+double activations(const Rule& rule, std::uint64_t last) {
+    const std::uint64_t first = next_active(rule, 0);
+    if (last == 0 || first > last - 1) return 0;
+    const std::uint64_t count = (std::min(rule.until, last - 1) - first) / rule.every + 1;
+    return static_cast<double>(count);
+}
+
+}  // namespace
+
+double final_cells(const Experiment& experiment, std::uint64_t last) {
+    const auto matrix =
+        std::find_if(experiment.prepattern.begin(), experiment.prepattern.end(),
+                     [](const auto& statement) { return std::holds_alternative<CreateMatrix>(statement); });
+    if (matrix == experiment.prepattern.end()) return static_cast<double>(count_cells(experiment));
+    auto columns = static_cast<double>(std::get<CreateMatrix>(*matrix).columns);
+    auto rows = static_cast<double>(std::get<CreateMatrix>(*matrix).rows);
+    for (const Rule& rule : experiment.rules) {
+        const auto* growth = std::get_if<Expand>(&rule.action);
+        if (growth == nullptr) continue;
+        columns += activations(rule, last) * static_cast<double>(growth->columns);
+        rows += activations(rule, last) * static_cast<double>(growth->rows);
+    }
+    return columns * rows;
+}
+
+std::uint64_t end_of_set(const Experiment& experiment, const std::vector<bool>& active, std::uint64_t iteration) {
+    std::uint64_t end = forever;
+    for (std::size_t i = 0; i < experiment.rules.size(); ++i) {
+        const Rule& rule = experiment.rules[i];
+        if (std::holds_alternative<Expand>(rule.action)) continue;
+        if (active[i] && rule.until != forever) end = std::min(end, rule.until + 1);
+        if (!active[i] && rule.every == 1) end = std::min(end, next_active(rule, iteration));
+    }
+    return end;
+}
+
+}  // namespace pelage

@@ -1,0 +1,18 @@
+// What can be told of a run before it is carried out.
+#pragma once
+
+#include "core/experiment.hpp"
+
+#include <cstdint>
+#include <vector>
+
+namespace pelage {
+
+// Cells after `last` iterations, expansions included; double: absurd sizes must not overflow.
+double final_cells(const Experiment&, std::uint64_t last);
+
+// The first iteration from which on this set of rules, active at `iteration`, cannot be the active one again because a
+// rule has ended or another one has begun for good; forever when there is none. Expansions do not count.
+std::uint64_t end_of_set(const Experiment&, const std::vector<bool>& active, std::uint64_t iteration);
+
+}  // namespace pelage
