@@ -47,8 +47,8 @@ struct OpenclOptions {
     std::size_t width = 0;       // cells a work-item handles side by side, 1, 2, 4, 8 or 16; 0: ours to choose
     Fusion fusion = Fusion::automatic;
     LatticeCut cut;
-    // For verification: every buffer lies between guard zones, looked at after each launch, and what a launch must write
-    // is filled with NaN first. Each launch is waited for.
+    // For verification: every buffer lies between guard zones, looked at after each launch, and what a launch must
+    // write is filled with NaN first. Each launch is waited for.
     bool guarded = false;
     NeighbourSearch neighbours = NeighbourSearch::bins;  // of free cells
     SpatialSorting sorting;                              // for spatial_sorting

@@ -28,7 +28,7 @@
 
 namespace pelage {
 
-struct RuleUse {  // what the emitted rules need of the kernel
+struct RuleUse {                                // what the emitted rules need of the kernel
     std::set<std::size_t> concentrations_read;  // as operands
     std::set<std::size_t> concentrations_written;
     std::set<std::size_t> rates_read;

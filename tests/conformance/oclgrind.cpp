@@ -52,7 +52,9 @@ TEST_CASE("Oclgrind names each kind of seeded fault") {
                Contains("Uninitialized value written to global memory") && Contains("Kernel: faulty"));
 }
 
-TEST_CASE("Oclgrind finds nothing in random numbers, sort and scan") { nothing_to_report({"random/", "scan/", "sort/"}); }
+TEST_CASE("Oclgrind finds nothing in random numbers, sort and scan") {
+    nothing_to_report({"random/", "scan/", "sort/"});
+}
 
 TEST_CASE("Oclgrind finds nothing in the neighbour search") { nothing_to_report({"neighbours/special"}); }
 

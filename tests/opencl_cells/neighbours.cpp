@@ -1,9 +1,9 @@
 // Neighbour sets from the device against brute force and the reference's k-d tree: equal, not nearly.
 #include "opencl/neighbours.hpp"
 #include "core/error.hpp"
-#include "verify/points.hpp"
 #include "reference/neighbours.hpp"
 #include "support/opencl_session.hpp"
+#include "verify/points.hpp"
 
 #include <catch2/catch.hpp>
 
@@ -68,7 +68,9 @@ TEST_CASE("neighbour sets of thousands of points equal the k-d tree's") {
     check_against_tree(verify::shuffled(verify::jittered(count, 4), 5));
 }
 
-TEST_CASE("neighbour sets of a million points equal the k-d tree's") { check_against_tree(verify::jittered(1000000, 6)); }
+TEST_CASE("neighbour sets of a million points equal the k-d tree's") {
+    check_against_tree(verify::jittered(1000000, 6));
+}
 
 TEST_CASE("neighbour sets of sharp sizes equal brute force") {
     const std::size_t count = GENERATE(1u, 2u, 3u, 7u, 15u, 16u, 17u, 31u, 33u, 63u, 64u, 65u, 127u, 257u, 1021u);

@@ -3,11 +3,11 @@
 #include "core/error.hpp"
 #include "core/prepattern.hpp"
 #include "opencl/neighbours.hpp"
-#include "verify/points.hpp"
 #include "reference/cells.hpp"
 #include "reference/spatial_sorting.hpp"
 #include "support/free_cells.hpp"
 #include "support/opencl_session.hpp"
+#include "verify/points.hpp"
 
 #include <catch2/catch.hpp>
 

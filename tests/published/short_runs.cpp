@@ -3,8 +3,8 @@
 #include "language/parse.hpp"
 #include "opencl/backend.hpp"
 #include "reference/backend.hpp"
-#include "verify/compare.hpp"
 #include "support/shared.hpp"
+#include "verify/compare.hpp"
 
 #include <fmt/ranges.h>
 #include <catch2/catch.hpp>
