@@ -4,7 +4,6 @@
 // only where the global size is 1: then nobody else reads what is written. With it work-groups of one work-item share
 // strips of `band` rows and wait for each other, see lattice_together.cl.
 // Lines that begin with //@ are filled in for each experiment, see host/opencl/emit_lattice.hpp.
-//   PELAGE_VISITS      some chemical diffuses neighbour by neighbour, or some gradient is wanted
 //   PELAGE_TOGETHER    see above
 //   PELAGE_MEANS       rates between neighbours are known, see lattice_means.cl
 
@@ -18,11 +17,12 @@
 #define GET_ROWS R((scalar)rows)
 #define GET_COLUMNS R((scalar)columns)
 
+// The row `up` of this one, and which neighbours lie inside.
+#define THERE(up) ROW_AT(row + (up))
+#define INSIDE(side, beyond) pelage_inside(x, columns, side, beyond)
+
 // Elements past the last column stay 0.
 #define KEEP(v, p) STORE(SELECT(held, v, R(0)), p)
-
-// Planes begin 16 elements into their buffer, each with a row of zeros.
-#define PLANE(buffer, nth) ((buffer) + 16 + (nth) * plane + pitch)
 
 kernel void pelage_lattice_step(global scalar* even_conc, global scalar* odd_conc, global scalar* even_rate,
                                 global scalar* odd_rate, global scalar* even_polarity, global scalar* odd_polarity,
@@ -75,30 +75,7 @@ kernel void pelage_lattice_step(global scalar* even_conc, global scalar* odd_con
                 //@ cell
                 //@ rules
                 //@ diffusion
-#ifdef PELAGE_VISITS
-                for (int k = 0; k < 3; ++k) {
-                    const int up = pelage_up(k, row, rows);
-                    const int beyond = row + up < 0 || row + up >= rows;
-#ifdef PELAGE_NO_FLUX
-                    if (beyond) continue;
-#endif
-                    const long there = ROW_AT(row + up);
-                    for (int side = -1; side <= 1; ++side) {
-#ifdef PELAGE_FIVE_POINT
-                        if ((up == 0) == (side == 0)) continue;
-#else
-                        if (up == 0 && side == 0) continue;
-#endif
-                        const mask inside = pelage_inside(x, columns, side, beyond);
-                        const real dx = R((scalar)(2 * side));
-                        const real dy = R((scalar)(2 * up));
-                        const int diagonal = up != 0 && side != 0;
-                        const real norm = diagonal ? R(PELAGE_SQRT_8) : R(2);
-                        const real neighbour_share = diagonal ? DIAGONAL_SHARE : EDGE_SHARE;
-                        //@ visit
-                    }
-                }
-#endif
+                //@ neighbours
                 //@ replace
                 //@ finish
             }

@@ -5,9 +5,6 @@
 //   PELAGE_VISITS    there are such
 // Fields lie in scratch, SLOT elements from one to the next, field `at` of a row in `above` at at * SLOT.
 
-// Planes begin 16 elements into their buffer, each with a row of zeros.
-#define PLANE(buffer, nth) ((buffer) + 16 + (nth) * plane + pitch)
-
 // The column or row that stands for `i`, which may lie beyond the edges; `beyond` where it stands for nothing.
 static inline int pelage_stands_for(int i, int count, int beyond) {
 #if defined(PELAGE_WRAP)
@@ -80,3 +77,8 @@ static inline void pelage_put(real v, global scalar* row, int x, int from, int t
 #define TAKE(i, at) const real up##i = LOAD(above + (at) * SLOT);
 #define TAKE_SUM(i, at) \
     const real up_sum##i = ROW_SUM(LOAD(above + (at) * SLOT - 1), up##i, LOAD(above + (at) * SLOT + 1));
+
+// For lattice_neighbours.cl: `row` stands for `at_row`, which may lie beyond the edges; a mirrored row has its
+// neighbours the other way round.
+#define THERE(up) ((long)(MIRRORS && row != at_row ? -(up) : (up)) * PELAGE_FIELDS * SLOT)
+#define INSIDE(side, beyond) pelage_inside_column(column, columns, side, beyond)

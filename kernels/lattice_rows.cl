@@ -3,6 +3,9 @@
 //
 // A plane holds one value for every cell: rows of `pitch` elements, of which the first `columns` are cells and the
 // others, at least 16, are 0. Before row 0 lies a row of zeros. So what an absorbing boundary reads is in memory.
+// Planes begin 16 elements into their buffer.
+
+#define PLANE(buffer, nth) ((buffer) + 16 + (nth) * plane + pitch)
 
 static inline int pelage_row_beyond(int row, int rows) {
 #if defined(PELAGE_WRAP)

@@ -75,7 +75,7 @@ public:
                 {"cell", cell()},
                 {"rules", text.rules},
                 {"diffusion", diffusion()},
-                {"neighbours", neighbours()},
+                {"neighbours", traits_.visits() ? neighbours_text(traits_.visit()) : ""},
                 {"replace", text.replace},
                 {"finish", finish()},
                 {"put", put()}};
@@ -248,11 +248,6 @@ private:
     // Long rows would only make compilation slow.
     std::string unroll(const RuleText& text) const {
         return text.rules.size() < 1000 && !traits_.visits() ? "#pragma unroll\n" : "";
-    }
-
-    std::string neighbours() const {
-        if (!traits_.visits()) return "";
-        return Source().file("lattice_neighbours.cl", {{"visit", traits_.visit()}}).str();
     }
 
     std::string diffusion() const {

@@ -8,6 +8,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <functional>
 #include <map>
@@ -61,7 +62,7 @@ public:
                 {"start", start()},
                 {"cell", cell()},
                 {"rules", text.rules},
-                {"visit", traits_.visit(means_)},
+                {"neighbours", traits_.visits() ? neighbours_text(traits_.visit(means_)) : ""},
                 {"replace", text.replace},
                 {"finish", finish()},
                 {"diffusion", diffusion()}};
@@ -69,7 +70,6 @@ public:
 
     std::string settings(std::size_t width) const {
         std::string text = lattice_settings(plan_, width);
-        if (traits_.visits()) text += "#define PELAGE_VISITS\n";
         if (means_) text += "#define PELAGE_MEANS\n";
         text += traits_.shares(precision_);
         return text;
@@ -177,11 +177,19 @@ private:
 
 }  // namespace
 
+std::string neighbours_text(const std::string& visit) {
+    return Source().file("lattice_neighbours.cl", {{"visit", visit}}).str();
+}
+
 std::vector<std::size_t> rate_planes(const LatticePlan& plan) {
     std::vector<std::size_t> places;
     std::size_t next = 0;
     for (const RateKind kind : plan.rates) places.push_back(kind == RateKind::per_cell ? next++ : no_plane);
     return places;
+}
+
+std::size_t own_rates(const LatticePlan& plan) {
+    return static_cast<std::size_t>(std::ranges::count(plan.rates, RateKind::per_cell));
 }
 
 std::string lattice_settings(const LatticePlan& plan, std::size_t width) {

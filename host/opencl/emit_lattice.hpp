@@ -20,6 +20,7 @@ inline std::size_t parameter_place(std::size_t chemical, LatticeParameter what) 
 
 // Places of the chemicals with rates of their own among the planes of rates, in order of chemical.
 std::vector<std::size_t> rate_planes(const LatticePlan&);  // npos where the chemical has none
+std::size_t own_rates(const LatticePlan&);                 // chemicals that have
 inline constexpr std::size_t no_plane = static_cast<std::size_t>(-1);
 
 // 6 for nine_point, 20 for sims, 1 for the others.
@@ -27,6 +28,9 @@ double stencil_divisor(Stencil);
 
 // Chemicals that have a finite bound in some phase.
 std::vector<bool> bounded_chemicals(const Experiment&);
+
+// The loop over a cell's neighbours (kernels/lattice_neighbours.cl). `visit`: what is done for each.
+std::string neighbours_text(const std::string& visit);
 
 // The defines that every program of a lattice begins with. `width`: see PELAGE_WIDTH.
 std::string lattice_settings(const LatticePlan&, std::size_t width);

@@ -22,8 +22,6 @@ constexpr std::size_t scratch_bytes = 512 * 1024;
 // rusticl on llvmpipe ends a work-item silently after 65,535 turns of all its loops.
 constexpr std::size_t turns_a_launch = 60'000;
 
-std::size_t divided(std::size_t a, std::size_t b) { return (a + b - 1) / b; }
-
 // Turns of all loops that a work-item takes in one pass of kernels/lattice_stream.cl, no fewer.
 std::size_t turns_of_pass(const FusedShape& shape, const FusedLaunch& launch) {
     const std::size_t vectors = divided(launch.vectors, shape.group);

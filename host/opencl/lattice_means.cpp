@@ -16,10 +16,6 @@ namespace {
 
 constexpr std::size_t means_a_cell = 4;
 
-std::size_t rated(const LatticePlan& plan) {
-    return static_cast<std::size_t>(std::ranges::count(plan.rates, RateKind::per_cell));
-}
-
 std::string means_source(const Experiment& experiment, const LatticePlan& plan, std::size_t width) {
     const RuleUse none;
     const LatticeTraits traits(experiment, plan, none);
@@ -49,21 +45,20 @@ std::string means_source(const Experiment& experiment, const LatticePlan& plan, 
     Source source;
     source.text(lattice_settings(plan, width));
     source.file("prelude.cl").file("lattice_rows.cl").file("exchange.cl");
-    source.text("#define PLANE(buffer, nth) ((buffer) + 16 + (nth) * plane + pitch)\n");
     return source.file("lattice_means.cl", {{"planes", planes}, {"means", means}}).str();
 }
 
 }  // namespace
 
 bool means_pay(const Session& session, const LatticePlan& plan, const RuleUse& every) {
-    return is_cpu(session) && rated(plan) > 0 && every.rates_written.empty() && every.polarizes.empty();
+    return is_cpu(session) && own_rates(plan) > 0 && every.rates_written.empty() && every.polarizes.empty();
 }
 
 LatticeMeans::LatticeMeans(const Session& session, const Experiment& experiment, const LatticePlan& plan)
     : session_(session),
       kernel_(session.build(means_source(experiment, plan, lattice_width(session))), "pelage_lattice_means"),
       width_(lattice_width(session)),
-      planes_(session, "mean diffusion rates", means_a_cell * rated(plan), false) {}
+      planes_(session, "mean diffusion rates", means_a_cell * own_rates(plan), false) {}
 
 const cl::Buffer& LatticeMeans::of(LatticeState& state) {
     if (version_ == state.rates_version()) return planes_.now();

@@ -9,10 +9,6 @@ namespace pelage {
 
 namespace {
 
-std::size_t own_rates(const LatticePlan& plan) {
-    return static_cast<std::size_t>(std::count(plan.rates.begin(), plan.rates.end(), RateKind::per_cell));
-}
-
 bool reads_birth(const RuleUse& use) {
     return use.quantities.contains(Quantity::age) || use.quantities.contains(Quantity::birth);
 }

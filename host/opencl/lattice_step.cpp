@@ -22,20 +22,22 @@ constexpr std::size_t cells_a_strip = 2'000;
 constexpr std::size_t cells_a_launch = 8'000'000;
 constexpr std::size_t steps_a_launch = 4096;
 
-std::size_t divided(std::size_t a, std::size_t b) { return (a + b - 1) / b; }
-
 }  // namespace
 
-bool is_cpu(const Session& session) { return session.info().type == "cpu" && !session.info().software_rasteriser(); }
+bool is_cpu(const DeviceInfo& device) { return device.type == "cpu" && !device.software_rasteriser(); }
+bool is_cpu(const Session& session) { return is_cpu(session.info()); }
 
-std::size_t lattice_width(const Session& session) {
-    if (session.options().width != 0) return session.options().width;
-    if (!is_cpu(session)) return 1;
+std::size_t vector_lanes(const DeviceInfo& device, Precision precision) {
     const std::uint32_t lanes =
-        session.is_double() ? session.info().vector_width_double : session.info().vector_width_float;
+        precision == Precision::double_ ? device.vector_width_double : device.vector_width_float;
     std::size_t width = 1;
     while (width < 16 && 2 * width <= lanes) width *= 2;
     return width;
+}
+
+std::size_t lattice_width(const Session& session) {
+    if (session.options().width != 0) return session.options().width;
+    return is_cpu(session) ? vector_lanes(session.info(), session.options().precision) : 1;
 }
 
 bool tiles_pay(const Session& session) {

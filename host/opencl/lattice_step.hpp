@@ -26,7 +26,14 @@ struct LaunchShape {
     std::size_t steps = 1;       // iterations a launch
 };
 
-bool is_cpu(const Session&);  // a processor proper, not a rasteriser that runs on one
+// a / b, rounded up.
+inline std::size_t divided(std::size_t a, std::size_t b) { return (a + b - 1) / b; }
+
+bool is_cpu(const DeviceInfo&);  // a processor proper, not a rasteriser that runs on one
+bool is_cpu(const Session&);
+
+// Numbers side by side in its vectors: 1, 2, 4, 8 or 16.
+std::size_t vector_lanes(const DeviceInfo&, Precision);
 
 // Cells that a work-item handles side by side: the lanes of a CPU, 1 on other devices.
 std::size_t lattice_width(const Session&);

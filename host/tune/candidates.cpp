@@ -1,4 +1,5 @@
 // What there is to try on each kind of device.
+#include "opencl/lattice_step.hpp"
 #include "tune/candidate.hpp"
 
 #include <algorithm>
@@ -11,15 +12,6 @@ using Candidates = std::vector<Candidate>;
 
 void add(Candidates& list, const Candidate& candidate) {
     if (std::ranges::find(list, candidate) == list.end()) list.push_back(candidate);
-}
-
-bool processor(const DeviceInfo& device) { return device.type == "cpu" && !device.software_rasteriser(); }
-
-std::size_t lanes(const DeviceInfo& device, Precision precision) {
-    const std::size_t there = precision == Precision::double_ ? device.vector_width_double : device.vector_width_float;
-    std::size_t width = 1;
-    while (width < 16 && 2 * width <= there) width *= 2;
-    return width;
 }
 
 Candidate streamed(std::size_t width, std::size_t depth, std::size_t columns, std::size_t rows) {
@@ -86,7 +78,7 @@ Candidates for_others(Effort effort) {
 }  // namespace
 
 std::vector<Candidate> candidates(const DeviceInfo& device, Precision precision, Effort effort) {
-    if (processor(device)) return for_processors(lanes(device, precision), effort);
+    if (is_cpu(device)) return for_processors(vector_lanes(device, precision), effort);
     Candidates list = for_others(effort);
     const std::size_t most = std::max<std::size_t>(1, device.max_work_group);
     std::erase_if(list, [&](const Candidate& candidate) { return candidate.cut.group > most; });
