@@ -9,25 +9,41 @@ struct pelage_grid {
     int bins;  // columns * rows
 };
 
-// Smallest and largest coordinates of each chunk. A coordinate that is not a number does not take part.
+// Smallest and largest of elements begin to end. One that is not a number does not take part.
+static inline void pelage_extent(__global const scalar* v, int begin, int end, __global scalar* least,
+                                 __global scalar* most) {
+    real low = R(INFINITY), high = R(-INFINITY);
+    int i = begin;
+    for (; i + PELAGE_WIDTH <= end; i += PELAGE_WIDTH) {
+        const real here = LOAD(v + i);
+        low = SELECT(here < low, here, low);
+        high = SELECT(here > high, here, high);
+    }
+    scalar lows[PELAGE_WIDTH], highs[PELAGE_WIDTH];
+    STORE(low, lows);
+    STORE(high, highs);
+    scalar lowest = INFINITY, highest = -INFINITY;
+    for (int lane = 0; lane < PELAGE_WIDTH; ++lane) {
+        lowest = fmin(lowest, lows[lane]);
+        highest = fmax(highest, highs[lane]);
+    }
+    for (; i < end; ++i) {
+        lowest = v[i] < lowest ? v[i] : lowest;
+        highest = v[i] > highest ? v[i] : highest;
+    }
+    *least = lowest;
+    *most = highest;
+}
+
+// The box around the points of each chunk: left, right, bottom, top.
 __kernel void pelage_bins_box(__global const scalar* restrict positions, int pitch, int n, int chunks,
                               __global scalar* restrict boxes) {
     const int chunk = (int)get_global_id(0);
     if (chunk >= chunks) return;
-    __global const scalar* restrict x = positions;
-    __global const scalar* restrict y = positions + pitch;
-    scalar left = INFINITY, right = -INFINITY, bottom = INFINITY, top = -INFINITY;
+    const int begin = pelage_chunk_begin(n, chunk, chunks);
     const int end = pelage_chunk_begin(n, chunk + 1, chunks);
-    for (int i = pelage_chunk_begin(n, chunk, chunks); i < end; ++i) {
-        left = x[i] < left ? x[i] : left;
-        right = x[i] > right ? x[i] : right;
-        bottom = y[i] < bottom ? y[i] : bottom;
-        top = y[i] > top ? y[i] : top;
-    }
-    boxes[4 * chunk] = left;
-    boxes[4 * chunk + 1] = right;
-    boxes[4 * chunk + 2] = bottom;
-    boxes[4 * chunk + 3] = top;
+    pelage_extent(positions, begin, end, boxes + 4 * chunk, boxes + 4 * chunk + 1);
+    pelage_extent(positions + pitch, begin, end, boxes + 4 * chunk + 2, boxes + 4 * chunk + 3);
 }
 
 // Bins per unit length along an extent. The bin of a coordinate carries a rounding error that grows with the number

@@ -34,22 +34,33 @@ static inline void pelage_list_sort(__global int* list, int length, __global con
 
 #if PELAGE_WIDTH == 16
 
-static inline uint pelage_mask_of(int16 lanes) {
-    const uint16 bit = (uint16)(1, 2, 4, 8, 16, 32, 64, 128, 256, 512, 1024, 2048, 4096, 8192, 16384, 32768);
-    const uint16 bits = as_uint16(lanes) & bit;
-    const uint8 eight = bits.lo | bits.hi;
+// The lanes or-ed together.
+static inline uint pelage_or_of(uint16 v) {
+    const uint8 eight = v.lo | v.hi;
     const uint4 four = eight.lo | eight.hi;
     const uint2 two = four.lo | four.hi;
     return two.x | two.y;
 }
 
+#define PELAGE_BITS \
+    ((uint16)(1, 2, 4, 8, 16, 32, 64, 128, 256, 512, 1024, 2048, 4096, 8192, 16384, 32768))
+
+// Lane k holds `bits` of lane k where point begin + k is near, else 0.
+static inline uint16 pelage_near_lanes(__global const scalar* x, __global const scalar* y, int begin, scalar centre_x,
+                                scalar centre_y, scalar square, uint16 bits) {
+    const real dx = LOAD(x + begin) - centre_x;
+    const real dy = LOAD(y + begin) - centre_y;
+    return as_uint16(convert_int16(dx * dx + dy * dy < square)) & bits;
+}
+
+// The lowest `count` bits, of at most 16.
+static inline uint pelage_lowest(int count) { return (1u << min(count, 16)) - 1u; }
+
 // Bit k: point begin + k is near and comes before end.
 static inline uint pelage_near(__global const scalar* x, __global const scalar* y, int begin, int end,
                         scalar centre_x, scalar centre_y, scalar square) {
-    const real dx = LOAD(x + begin) - centre_x;
-    const real dy = LOAD(y + begin) - centre_y;
-    const uint near = pelage_mask_of(convert_int16(dx * dx + dy * dy < square));
-    return end - begin < 16 ? near & ((1u << (end - begin)) - 1u) : near;
+    return pelage_or_of(pelage_near_lanes(x, y, begin, centre_x, centre_y, square, PELAGE_BITS)) &
+           pelage_lowest(end - begin);
 }
 
 // As pelage_near, for up to 32 points.
@@ -58,6 +69,21 @@ static inline uint pelage_near_32(__global const scalar* x, __global const scala
     const uint first = pelage_near(x, y, begin, end, centre_x, centre_y, square);
     if (end - begin <= 16) return first;
     return first | pelage_near(x, y, begin + 16, end, centre_x, centre_y, square) << 16;
+}
+
+// The places of the lowest 8 bits of a mask, of which bit 16 k + i stands for point i of run k; they are taken away.
+static inline int8 pelage_next_8(ulong* mask, int begin_0, int begin_1, int begin_2) {
+    int bits[8];
+    ulong left = *mask;
+    #pragma unroll
+    for (int j = 0; j < 8; ++j) {
+        bits[j] = (int)popcount(~left & (left - 1));
+        left &= left - 1;
+    }
+    *mask = left;
+    const int8 bit = vload8(0, bits);
+    const int8 first = select((int8)(begin_0), (int8)(begin_1 - 16), bit >= 16);
+    return bit + select(first, (int8)(begin_2 - 32), bit >= 32);
 }
 
 // For each lane of v how many of `all` come before it.
@@ -102,38 +128,41 @@ static inline int8 pelage_before_8(int8 all) {
 #define PELAGE_STORE(lane) list[rank.lane * PELAGE_BLOCK] = places.lane;
 #define PELAGE_STORE4(a, b, c, d) PELAGE_STORE(a) PELAGE_STORE(b) PELAGE_STORE(c) PELAGE_STORE(d)
 
-static inline void pelage_list_scatter(__global int* list, int16 rank, int16 places) {
-    PELAGE_STORE4(s0, s1, s2, s3)
-    PELAGE_STORE4(s4, s5, s6, s7)
-    PELAGE_STORE4(s8, s9, sa, sb)
-    PELAGE_STORE4(sc, sd, se, sf)
+// From the last lane to the first: what lies past the list's end is written first, and over.
+static inline void pelage_list_scatter(__global int* list, int capacity, int16 ranks, int16 places) {
+    const int16 rank = min(ranks, capacity - 1);
+    PELAGE_STORE4(sf, se, sd, sc)
+    PELAGE_STORE4(sb, sa, s9, s8)
+    PELAGE_STORE4(s7, s6, s5, s4)
+    PELAGE_STORE4(s3, s2, s1, s0)
 }
 
-// At most 32 places, sorted by rank. Lanes past `length` store the point itself behind them: room for 16 or 32 entries.
-// Of most tissues lists have 8 at most.
-static inline void pelage_list_store(__global int* list, const int* found, int length, int self,
+// At most 8 places, sorted by rank. Lanes past `length` store the point itself behind them.
+static inline void pelage_list_store_8(__global int* list, int8 found, int length, int self,
+                                __global const int* ids) {
+    const int8 lane = (int8)(0, 1, 2, 3, 4, 5, 6, 7);
+    const int8 places = select((int8)self, found, lane < length);
+    const int8 rank = pelage_before_8(select(0x7fffffc0 + lane, PELAGE_IDS_8(places), lane < length));
+    PELAGE_STORE4(s0, s1, s2, s3)
+    PELAGE_STORE4(s4, s5, s6, s7)
+}
+
+// The same for at most 32 places.
+static inline void pelage_list_store(__global int* list, int capacity, const int* found, int length, int self,
                               __global const int* ids) {
-    if (length <= 8) {
-        const int8 eight = (int8)(0, 1, 2, 3, 4, 5, 6, 7);
-        const int8 few = select((int8)self, vload8(0, found), eight < length);
-        const int8 rank = pelage_before_8(select(0x7fffffc0 + eight, PELAGE_IDS_8(few), eight < length));
-        const int8 places = few;
-        PELAGE_STORE4(s0, s1, s2, s3)
-        PELAGE_STORE4(s4, s5, s6, s7)
-        return;
-    }
     const int16 lane = (int16)(0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15);
     const int16 last = 0x7fffffc0 + lane;
     const int16 places = select((int16)self, LOAD(found), lane < length);
     const int16 order = select(last, PELAGE_IDS(places), lane < length);
     if (length <= 16) {
-        pelage_list_scatter(list, pelage_before(order, order), places);
+        pelage_list_scatter(list, capacity, pelage_before(order, order), places);
         return;
     }
     const int16 more_places = select((int16)self, LOAD(found + 16), lane + 16 < length);
     const int16 more_order = select(last + 16, PELAGE_IDS(more_places), lane + 16 < length);
-    pelage_list_scatter(list, pelage_before(order, order) + pelage_before(more_order, order), places);
-    pelage_list_scatter(list, pelage_before(order, more_order) + pelage_before(more_order, more_order), more_places);
+    pelage_list_scatter(list, capacity, pelage_before(order, more_order) + pelage_before(more_order, more_order),
+                        more_places);
+    pelage_list_scatter(list, capacity, pelage_before(order, order) + pelage_before(more_order, order), places);
 }
 
 #endif
@@ -156,45 +185,48 @@ __kernel void pelage_neighbours_lists(__global const scalar* restrict positions,
     const scalar centre_y = y[self];
     const int column = pelage_bin_along(centre_x, grid.x, grid.per_x, grid.columns);
     const int row = pelage_bin_along(centre_y, grid.y, grid.per_y, grid.rows);
-    const int left = max(column - 1, 0);
-    const int right = min(column + 1, grid.columns - 1);
-    int begin[3], end[3];
-    for (int k = 0; k < 3; ++k) {
-        const int other = row + k - 1;
-        const int inside = other >= 0 && other < grid.rows;
-        begin[k] = inside ? starts[other * grid.columns + left] : 0;
-        end[k] = inside ? starts[other * grid.columns + right + 1] : 0;
-    }
+    // The points of the 3 x 3 bins around are three runs: below, beside and above. One beyond the edge is empty.
+    const int left = row * grid.columns + max(column - 1, 0);
+    const int right = row * grid.columns + min(column + 1, grid.columns - 1) + 1;
+    const int under = row > 0 ? grid.columns : 0;
+    const int over = row + 1 < grid.rows ? grid.columns : 0;
+    const int begin_0 = starts[left - under];
+    const int end_0 = under ? starts[right - under] : begin_0;
+    const int begin_1 = starts[left];
+    const int end_1 = starts[right];
+    const int begin_2 = starts[left + over];
+    const int end_2 = over ? starts[right + over] : begin_2;
     __global int* restrict list = lists + pelage_list_begin(self, capacity);
     int length = 0;
 #if PELAGE_WIDTH == 16
-    const int longest_run = max(max(end[0] - begin[0], end[1] - begin[1]), end[2] - begin[2]);
+    const int longest_run = max(max(end_0 - begin_0, end_1 - begin_1), end_2 - begin_2);
     // Most runs have at most 16 points: all three are then one mask, bit 16 k + i for point i of run k.
     if (longest_run <= 16) {
-        int found[48];
-        int base[4] = {0, 0, 0, 0};
-        ulong mask = 0;
-        for (int k = 0; k < 3; ++k) {
-            base[k] = begin[k] - 16 * k;
-            mask |= (ulong)pelage_near(x, y, begin[k], end[k], centre_x, centre_y, square) << (16 * k);
-        }
-        mask &= ~((ulong)1 << (self - begin[1] + 16));
+        const uint16 below = pelage_near_lanes(x, y, begin_0, centre_x, centre_y, square, PELAGE_BITS);
+        const uint16 beside = pelage_near_lanes(x, y, begin_1, centre_x, centre_y, square, PELAGE_BITS << 16);
+        const uint above = pelage_near(x, y, begin_2, end_2, centre_x, centre_y, square);
+        const uint inside = pelage_lowest(end_0 - begin_0) | pelage_lowest(end_1 - begin_1) << 16;
+        const uint self_bit = 1u << (self - begin_1 + 16);
+        ulong mask = (ulong)(pelage_or_of(below | beside) & inside & ~self_bit) | (ulong)above << 32;
         length = (int)popcount(mask);
-        if (length <= min(capacity & ~15, 32)) {
+        if (length <= 8 && capacity >= 8) {  // as in most tissues
+            pelage_list_store_8(list, pelage_next_8(&mask, begin_0, begin_1, begin_2), length, self, ids);
+            lengths[self] = length;
+            return;
+        }
+        if (length <= min(capacity, 32)) {
+            int found[32];
             for (int i = 0; i < length; i += 8) {
-                #pragma unroll
-                for (int j = 0; j < 8; ++j) {
-                    const int bit = (63 - (int)clz(mask & -mask)) & 63;
-                    found[i + j] = base[bit >> 4] + bit;
-                    mask &= mask - 1;
-                }
+                vstore8(pelage_next_8(&mask, begin_0, begin_1, begin_2), 0, found + i);
             }
-            pelage_list_store(list, found, length, self, ids);
+            pelage_list_store(list, capacity, found, length, self, ids);
             lengths[self] = length;
             return;
         }
         length = 0;
     }
+    const int begin[3] = {begin_0, begin_1, begin_2};
+    const int end[3] = {end_0, end_1, end_2};
     // Nearly all others have at most 32 points, and the list as many entries.
     if (longest_run <= 32) {
         int found[48];
@@ -213,8 +245,8 @@ __kernel void pelage_neighbours_lists(__global const scalar* restrict positions,
             }
             length += count;
         }
-        if (length <= min(capacity & ~15, 32)) {
-            pelage_list_store(list, found, length, self, ids);
+        if (length <= min(capacity, 32)) {
+            pelage_list_store(list, capacity, found, length, self, ids);
             lengths[self] = length;
             return;
         }
@@ -231,6 +263,8 @@ __kernel void pelage_neighbours_lists(__global const scalar* restrict positions,
         }
     }
 #else
+    const int begin[3] = {begin_0, begin_1, begin_2};
+    const int end[3] = {end_0, end_1, end_2};
     for (int k = 0; k < 3; ++k) {
         for (int other = begin[k]; other < end[k]; ++other) {
             const scalar dx = x[other] - centre_x;

@@ -127,7 +127,7 @@ private:
     std::vector<std::uint32_t> ids_;  // of the cell at each place
     std::vector<std::int32_t> neighbours_;
     bool lists_valid_ = false;
-    std::size_t capacity_ = 16;           // entries a list
+    std::size_t capacity_ = 12;           // entries a list
     std::vector<std::int32_t> entries_;   // blocks of 16 lists
     std::vector<std::int32_t> lengths_;   // of the longest list of each block
     Aligned<float> listed_x_, listed_y_;  // where each place was listed

@@ -37,7 +37,7 @@ double CellsLists::reach() const { return (interaction_range + options_.skin) * 
 double CellsLists::longest_way() const { return options_.skin * options_.skin * 0.2495; }
 
 void CellsLists::build(CellsState& state) {
-    lists_.reserve(session_, static_cast<std::size_t>(state.pitch()), std::max(16, options_.list_capacity));
+    lists_.reserve(session_, static_cast<std::size_t>(state.pitch()), std::max(8, options_.list_capacity));
     if (matrix_) {
         matrix_->update(state.now(CellArray::position), state.pitch(), state.cells());
     } else {

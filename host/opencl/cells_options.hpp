@@ -15,7 +15,7 @@ struct CellsOptions {
     // Of the exact search. None of these changes a result.
     double skin = 0.3;       // how much farther than 3 lists look, so that they last while cells move
     std::size_t batch = 32;  // most iterations that are enqueued before the host looks at them
-    int list_capacity = 32;  // entries a list to begin with, at least 16
+    int list_capacity = 12;  // entries a list to begin with, at least 8: lists that are read whole keep the memory busy
     std::optional<NeighbourTuning> tuning;
 
     bool approximate() const { return search == NeighbourSearch::spatial_sorting; }
