@@ -4,7 +4,10 @@
 // the rows below is what it carried along from the block before. Around its part of the lattice a group computes a
 // margin of `steps` cells that narrows by one each level; cells beyond the edge are the ones that the
 // boundary puts there (a mirrored or wrapped cell evolves exactly like its original, random draws included).
-// `passes` may exceed 1 only where one work-group does all of the lattice: then nobody else reads what is written.
+// A band as wide as the lattice needs no `margin` of columns: before each level the column beside either edge is copied.
+// `passes` may exceed 1 only where one work-group does all of the lattice: then nobody else reads what is written; or
+// with PELAGE_TOGETHER and `strips` above 0, where work-groups of one work-item share the passes of so many strips and
+// wait for each other, see lattice_together.cl.
 // Lines that begin with //@ are filled in for each experiment, see host/opencl/emit_fused.hpp.
 //   PELAGE_BLOCK     rows of a block
 //   PELAGE_VECTORS   most vectors across a band, margins included
@@ -12,7 +15,8 @@
 
 // Scratch rows begin an odd multiple of 128 bytes apart: a power of two would make them share cache sets.
 #define LINE (128 / (int)sizeof(scalar))
-#define SLOT ((((PELAGE_VECTORS * PELAGE_WIDTH + LINE - 1) / LINE) | 1) * LINE)
+// With room for one cell more on either side.
+#define SLOT ((((PELAGE_VECTORS * PELAGE_WIDTH + 2 + LINE - 1) / LINE) | 1) * LINE)
 // Rows -2 and -1 of the scratch are the last two of the block before.
 #ifdef PELAGE_VISITS
 #define KEPT 2
@@ -39,6 +43,14 @@
     STORE(own##i, CARRY((nth) + 1));     \
     STORE(c##i, CARRY((nth) + 2));
 
+// The cells beside a whole row, as the boundary puts them there.
+static inline void pelage_close(local scalar* row, int columns) {
+    const int left = pelage_stands_for(-1, columns, -1);
+    const int right = pelage_stands_for(columns, columns, -1);
+    row[-1] = left < 0 ? 0 : row[left];
+    row[columns] = right < 0 ? 0 : row[right];
+}
+
 // A level writes rows that lie one lower than those it reads.
 #define MIDDLE (r - 1)
 #define AT_ROW (base + r - level - 1)
@@ -48,7 +60,13 @@ kernel __attribute__((reqd_work_group_size(PELAGE_GROUP, 1, 1))) void pelage_lat
     global scalar* even_polarity, global scalar* odd_polarity, global scalar* even_mapping, global scalar* odd_mapping,
     global const int* birth, global const int* neighbours, global const scalar* places,
     global const scalar* parameters, const int columns, const int rows, const int pitch, const int vectors,
-    const int strip, const uint first, const int steps, const int passes, const uint seed_low, const uint seed_high) {
+    const int strip, const uint first, const int steps, const int passes, const uint seed_low, const uint seed_high,
+    const int margin
+#ifdef PELAGE_TOGETHER
+    ,
+    volatile global int* flags, const int strips, const int begin, const int everybody
+#endif
+) {
     local scalar scratch[SCRATCH_SIZE] __attribute__((aligned(128)));
     local scalar carry[CARRY_SIZE] __attribute__((aligned(128)));
     const int lane = (int)get_local_id(0);
@@ -57,16 +75,28 @@ kernel __attribute__((reqd_work_group_size(PELAGE_GROUP, 1, 1))) void pelage_lat
     neighbours = PLANE(neighbours, 0);
     const real dt = R(parameters[0]);
     //@ parameters
-    const int inner = vectors * PELAGE_WIDTH - 2 * steps;
-    const int x0 = (int)get_group_id(0) * inner - steps;
-    const int low = (int)get_group_id(1) * strip;
-    const int high = min(low + strip, rows);
-    const int blocks = (high - low + 2 * steps + PELAGE_BLOCK - 1) / PELAGE_BLOCK;
+    const int inner = vectors * PELAGE_WIDTH - 2 * margin;
+    const int x0 = (int)get_group_id(0) * inner - margin;
     // Nothing of what is cleared here reaches the lattice; it only must be a number.
     for (int i = lane; i < SCRATCH_SIZE; i += PELAGE_GROUP) scratch[i] = 0;
     for (int i = lane; i < CARRY_SIZE; i += PELAGE_GROUP) carry[i] = 0;
     barrier(CLK_LOCAL_MEM_FENCE);
-    for (int pass = 0; pass < passes; ++pass) {
+#ifdef PELAGE_TOGETHER
+    if (strips > 0) atomic_inc(&flags[ARRIVED]);
+#endif
+    for (int turn = 0;; ++turn) {
+        int pass = turn;
+        int mine = turn < passes ? (int)get_group_id(1) : -1;
+#ifdef PELAGE_TOGETHER
+        if (strips > 0) {
+            mine = pelage_claim(flags, strips, (int)get_group_id(1), begin + passes, everybody, &pass);
+            pass -= begin;
+        }
+#endif
+        if (mine < 0) break;
+        const int low = mine * strip;
+        const int high = min(low + strip, rows);
+        const int blocks = (high - low + 2 * steps + PELAGE_BLOCK - 1) / PELAGE_BLOCK;
         //@ planes
         for (int block = 0; block < blocks; ++block) {
             const int base = low - steps + block * PELAGE_BLOCK;
@@ -105,6 +135,12 @@ kernel __attribute__((reqd_work_group_size(PELAGE_GROUP, 1, 1))) void pelage_lat
                 }
                 barrier(CLK_LOCAL_MEM_FENCE);
 #endif
+                if (margin == 0) {
+                    for (int i = lane; i < (PELAGE_BLOCK + KEPT) * PELAGE_FIELDS; i += PELAGE_GROUP) {
+                        pelage_close(SCRATCH(level & 1, -KEPT, 0) + i * SLOT, columns);
+                    }
+                    barrier(CLK_LOCAL_MEM_FENCE);
+                }
                 for (int c = lane; c < vectors; c += PELAGE_GROUP) {
                     const int x = x0 + c * PELAGE_WIDTH;
                     //@ resume
@@ -141,7 +177,7 @@ kernel __attribute__((reqd_work_group_size(PELAGE_GROUP, 1, 1))) void pelage_lat
                 const long there = (long)row * pitch;
                 for (int c = lane; c < vectors; c += PELAGE_GROUP) {
                     const int x = x0 + c * PELAGE_WIDTH;
-                    const int from = x0 + steps;
+                    const int from = x0 + margin;
                     const int to = min(from + inner, columns);
                     //@ put
                 }
@@ -149,5 +185,8 @@ kernel __attribute__((reqd_work_group_size(PELAGE_GROUP, 1, 1))) void pelage_lat
             barrier(CLK_LOCAL_MEM_FENCE);
         }
         barrier(CLK_GLOBAL_MEM_FENCE);
+#ifdef PELAGE_TOGETHER
+        if (strips > 0) pelage_done(flags, mine, begin + pass);
+#endif
     }
 }

@@ -163,7 +163,7 @@ private:
     // Cell updates after which a lattice on OpenCL has compiled all it wants to.
     double least_work(const Contender& contender) const {
         const bool chooses = contender.backend == "opencl" || contender.backend == "opencl-fast";
-        return !chooses || case_.suite != "lattice" ? 0 : options_.quick ? 1e6 : 2.5e8;
+        return !chooses || case_.suite != "lattice" ? 0 : options_.quick ? 1e6 : 6e9;
     }
 
     // Iterations that take about as long as a run shall.

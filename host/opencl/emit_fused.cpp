@@ -309,11 +309,12 @@ std::string stream_source(const Experiment& experiment, const LatticePlan& plan,
                           const FusedShape& shape) {
     const FusedEmitter emitter(experiment, plan, rules.use, bounded, precision);
     const std::string settings = fmt::format(
-        "#define PELAGE_DEPTH {}\n#define PELAGE_BLOCK {}\n#define PELAGE_VECTORS {}\n#define PELAGE_GROUP {}\n{}",
-        shape.depth, shape.rows, shape.vectors, shape.group, shape.prefetch ? "#define PELAGE_PREFETCH\n" : "");
-    return library(plan, rules.use, emitter, width, settings)
-        .file("lattice_stream.cl", emitter.stream_fills(rules))
-        .str();
+        "#define PELAGE_DEPTH {}\n#define PELAGE_BLOCK {}\n#define PELAGE_VECTORS {}\n#define PELAGE_GROUP {}\n{}{}",
+        shape.depth, shape.rows, shape.vectors, shape.group, shape.prefetch ? "#define PELAGE_PREFETCH\n" : "",
+        shape.together ? "#define PELAGE_TOGETHER\n" : "");
+    Source source = library(plan, rules.use, emitter, width, settings);
+    if (shape.together) source.file("lattice_together.cl");
+    return source.file("lattice_stream.cl", emitter.stream_fills(rules)).str();
 }
 
 std::string tile_source(const Experiment& experiment, const LatticePlan& plan, const RuleText& rules,

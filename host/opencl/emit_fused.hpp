@@ -20,6 +20,7 @@ struct FusedShape {
     std::size_t vectors = 1;  // most vectors across a band or a tile, margins included
     std::size_t group = 1;    // work-items
     bool prefetch = false;    // ask for memory before it is needed
+    bool together = false;    // strips' work-groups may share the passes of a launch, see lattice_together.cl
 };
 
 // Values of a cell that pass through the levels: concentrations, and rates, polarity and mappings that differ from

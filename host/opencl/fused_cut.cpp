@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 
 namespace pelage {
 
@@ -32,9 +33,9 @@ std::size_t turns_of_pass(const FusedShape& shape, const FusedLaunch& launch) {
 
 // Iterations of one pass. All passes alike: one of few steps at the end would cost as much memory traffic as the
 // others.
-std::size_t steps_of_pass(const Grid& grid, const FusedShape& shape, std::uint64_t count) {
+std::size_t steps_of_pass(const Grid& grid, std::size_t depth, std::uint64_t count) {
     // A margin may not reach past the lattice's far side.
-    const std::size_t deepest = std::min({shape.depth, grid.columns, grid.rows});
+    const std::size_t deepest = std::min({depth, grid.columns, grid.rows});
     const std::uint64_t passes = (count + deepest - 1) / deepest;
     return static_cast<std::size_t>((count + passes - 1) / passes);
 }
@@ -43,11 +44,27 @@ std::size_t steps_of_pass(const Grid& grid, const FusedShape& shape, std::uint64
 FusedLaunch across(const Grid& grid, const FusedShape& shape, std::size_t width, std::size_t steps) {
     FusedLaunch launch;
     launch.steps = steps;
-    const std::size_t margin = 2 * steps;
-    launch.bands = divided(grid.columns, shape.vectors * width - margin);
-    launch.vectors = divided(divided(grid.columns, launch.bands) + margin, width);
-    launch.bands = divided(grid.columns, launch.vectors * width - margin);
+    launch.margin = steps;
+    const std::size_t margins = 2 * steps;
+    launch.bands = divided(grid.columns, shape.vectors * width - margins);
+    launch.vectors = divided(divided(grid.columns, launch.bands) + margins, width);
+    launch.bands = divided(grid.columns, launch.vectors * width - margins);
     return launch;
+}
+
+// One band, without margins.
+FusedLaunch whole_rows(const Grid& grid, std::size_t width, std::size_t steps) {
+    FusedLaunch launch;
+    launch.steps = steps;
+    launch.vectors = divided(grid.columns, width);
+    return launch;
+}
+
+// Iterations of a pass where no launch is to be saved: deep ones compute more margin (on average 1.5 rows for each
+// iteration and strip), shallow ones fetch and put back the lattice more often (about the time of one iteration).
+std::size_t shared_depth(const FusedShape& shape, std::size_t strip) {
+    const double best = std::sqrt(static_cast<double>(strip) / 1.5);
+    return std::min(shape.depth, std::max<std::size_t>(4, static_cast<std::size_t>(best)));
 }
 
 std::size_t wished(std::size_t value, std::size_t otherwise) { return value == 0 ? otherwise : value; }
@@ -73,11 +90,12 @@ FusedShape stream_shape(const Session& session, const FusedFields& fields, std::
     shape.depth = wished(wish.depth, 16);
     shape.rows = wished(wish.rows, 4);
     shape.group = group_size(session, 64);
-    std::size_t columns = wished(wish.columns, 256);
+    shape.together = shares_steps(session) && shape.group == 1;
+    std::size_t columns = wished(wish.columns, 384);
     const auto vectors = [&] { return divided(columns + 2 * shape.depth, width); };
     const auto bytes = [&] {  // as lattice_stream.cl counts them, at most
         const std::size_t line = 128 / session.scalar_bytes();
-        const std::size_t slot = (divided(vectors() * width, line) | 1) * line;
+        const std::size_t slot = (divided(vectors() * width + 2, line) | 1) * line;
         const std::size_t scratch = 2 * (shape.rows + 2) * fields.all * slot + 32;
         return session.scalar_bytes() *
                (scratch + shape.depth * vectors() * width * (3 * fields.all + 2 * fields.seen));
@@ -104,9 +122,13 @@ FusedShape stream_shape(const Session& session, const FusedFields& fields, std::
 
 FusedLaunch stream_launch(const Session& session, const Grid& grid, const FusedShape& shape, std::size_t width,
                           std::uint64_t count) {
-    FusedLaunch launch = across(grid, shape, width, steps_of_pass(grid, shape, count));
-    const bool alone = launch.bands == 1 && grid.cells() < alone_below;
-    const std::size_t groups = alone ? 1 : 2 * session.info().compute_units;
+    const bool whole = grid.columns <= shape.vectors * width;
+    const bool alone = whole && grid.cells() < alone_below;
+    const std::size_t units = alone ? 1 : session.info().compute_units;
+    const std::size_t depth = whole && shape.together ? shared_depth(shape, divided(grid.rows, units)) : shape.depth;
+    const std::size_t steps = steps_of_pass(grid, depth, count);
+    FusedLaunch launch = whole ? whole_rows(grid, width, steps) : across(grid, shape, width, steps);
+    const std::size_t groups = grid.rows < 16 * launch.steps * units ? units : 2 * units;
     launch.strips = std::clamp<std::size_t>(divided(groups, launch.bands), 1, divided(grid.rows, 2 * launch.steps));
     launch.strip = divided(grid.rows, launch.strips);
     launch.strips = divided(grid.rows, launch.strip);
@@ -115,7 +137,8 @@ FusedLaunch stream_launch(const Session& session, const Grid& grid, const FusedS
         launch.strip = divided(launch.strip, 2);
         launch.strips = divided(grid.rows, launch.strip);
     }
-    if (launch.bands * launch.strips == 1) {
+    launch.together = shape.together && launch.bands == 1 && launch.strips > 1;
+    if (launch.together || launch.bands * launch.strips == 1) {
         std::size_t most = std::max<std::size_t>(1, cells_a_launch / (grid.cells() * launch.steps));
         if (ends_loops) most = std::clamp<std::size_t>(turns_a_launch / turns_of_pass(shape, launch), 1, most);
         launch.passes = std::min<std::uint64_t>(most, count / launch.steps);
@@ -155,7 +178,7 @@ FusedShape tile_shape(const Session& session, const FusedFields& fields, std::si
 }
 
 FusedLaunch tile_launch(const Grid& grid, const FusedShape& shape, std::size_t width, std::uint64_t count) {
-    FusedLaunch launch = across(grid, shape, width, steps_of_pass(grid, shape, count));
+    FusedLaunch launch = across(grid, shape, width, steps_of_pass(grid, shape.depth, count));
     launch.strips = divided(grid.rows, shape.rows);
     launch.strip = divided(grid.rows, launch.strips);
     launch.strips = divided(grid.rows, launch.strip);

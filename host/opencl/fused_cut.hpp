@@ -14,9 +14,11 @@ struct FusedLaunch {
     std::size_t steps = 1;    // levels of a pass
     std::size_t passes = 1;   // of one launch
     std::size_t vectors = 1;  // across a band or a tile, margins included
+    std::size_t margin = 0;   // cells on either side of a band; 0: it is as wide as the lattice
     std::size_t bands = 1;    // work-groups along a row
     std::size_t strip = 1;    // rows of a work-group
     std::size_t strips = 1;   // work-groups up the columns
+    bool together = false;    // they share the passes
 };
 
 // As the session's options ask (LatticeCut), cut down to what the device's local memory holds. Throws Error when not

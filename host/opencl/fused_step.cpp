@@ -12,7 +12,8 @@ FusedStep::FusedStep(const Session& session, const Experiment& experiment, const
     : session_(session),
       width_(lattice_width(session)),
       seed_(static_cast<std::uint64_t>(experiment.run_seed())),
-      tiled_(tiled) {
+      tiled_(tiled),
+      shared_(session) {
     const RuleText rules = emit_rules(experiment, active, session.options().precision, test_intervals);
     writes_rates_ = !rules.use.rates_written.empty();
     writes_polarity_ = !rules.use.polarizes.empty();
@@ -50,6 +51,18 @@ void FusedStep::swap_planes(LatticeState& state) const {
     if (writes_mappings_) state.mappings().swap();
 }
 
+// `none`: any buffer, where nothing is shared.
+void FusedStep::set_sharing(const cl::Buffer& none, const FusedLaunch& launch) {
+    if (launch.together) {
+        shared_.prepare(kernel_, 23, launch.strips, launch.passes);
+        return;
+    }
+    kernel_.setArg(23, none);
+    kernel_.setArg(24, cl_int{0});
+    kernel_.setArg(25, cl_int{0});
+    kernel_.setArg(26, cl_int{0});
+}
+
 void FusedStep::enqueue(LatticeState& state, const cl::Buffer& parameters, std::uint64_t first, std::uint64_t count,
                         Pace& pace) {
     while (count > 0) {
@@ -68,6 +81,8 @@ void FusedStep::enqueue(LatticeState& state, const cl::Buffer& parameters, std::
         kernel_.setArg(19, static_cast<cl_int>(launch.passes));
         kernel_.setArg(20, static_cast<cl_uint>(seed_ & 0xffffffffu));
         kernel_.setArg(21, static_cast<cl_uint>(seed_ >> 32));
+        if (!tiled_) kernel_.setArg(22, static_cast<cl_int>(launch.margin));
+        if (shape_.together) set_sharing(parameters, launch);
         session_.launch(kernel_, cl::NDRange(launch.bands * shape_.group, launch.strips), cl::NDRange(shape_.group, 1));
         pace.launched();
         if (launch.passes % 2 != 0) swap_planes(state);

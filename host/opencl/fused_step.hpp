@@ -4,6 +4,7 @@
 
 #include "opencl/fused_cut.hpp"
 #include "opencl/lattice_step.hpp"
+#include "opencl/shared_steps.hpp"
 
 #include <cstdint>
 #include <vector>
@@ -20,6 +21,7 @@ public:
 
 private:
     void set_planes(LatticeState&);
+    void set_sharing(const cl::Buffer& none, const FusedLaunch&);
     void swap_planes(LatticeState&) const;
 
     const Session& session_;
@@ -27,6 +29,7 @@ private:
     FusedShape shape_;
     std::uint64_t seed_;
     bool tiled_;
+    SharedSteps shared_;
     bool writes_rates_ = false;
     bool writes_polarity_ = false;
     bool writes_mappings_ = false;

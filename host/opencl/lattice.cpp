@@ -143,11 +143,12 @@ private:
     }
 
     // A streamed program takes seconds to compile: some `work`, in cell-updates, must have come by, and so much must
-    // lie ahead under these rules. And what threads hold in their own caches is shared faster than it is streamed.
+    // lie ahead under these rules.
     bool wants_streaming(const std::vector<bool>& active, double work, std::uint64_t iteration) {
-        if (!is_cpu(*session_) || work < 2e8 || fits_caches()) return false;
+        if (!is_cpu(*session_) || work < 2e8) return false;
         const auto cells = static_cast<double>(do_cells());
-        return streaming_pays(experiment(), active, iteration, cells, work) && reason_against(active).empty();
+        return streaming_pays(experiment(), active, iteration, cells, fits_caches(), work) &&
+               reason_against(active).empty();
     }
 
     const std::string& reason_against(const std::vector<bool>& active) {
@@ -177,7 +178,8 @@ private:
                                                path == Path::tiled);
         }
         const bool shared = shares_steps(*session_);
-        const std::string reason = fits_caches() ? "the threads' own caches hold the lattice" : reason_against(active);
+        const std::string reason =
+            fits_caches() ? "caches hold the lattice, and little is left of the run" : reason_against(active);
         note(iteration, step->describe(), path != Path::plain || !shared ? "" : reason);
         return step;
     }

@@ -51,8 +51,10 @@ bool caches_hold(const DeviceInfo& device, double bytes) {
 }
 
 bool streaming_pays(const Experiment& experiment, const std::vector<bool>& active, std::uint64_t iteration,
-                    double cells, double done) {
-    constexpr double enough = 2e9;
+                    double cells, bool cached, double done) {
+    constexpr double least_cells = 15'000;  // smaller ones are no faster streamed than with shared steps
+    if (cells < least_cells) return false;
+    const double enough = cached ? 5e9 : 2e9;
     const std::uint64_t last = experiment.last_iteration();
     if (iteration >= last) return done >= enough;
     const std::uint64_t end = std::min(last, end_of_set(experiment, active, iteration));

@@ -45,9 +45,10 @@ bool tiles_pay(const Session&);
 bool caches_hold(const DeviceInfo&, double bytes);
 
 // Whether so much lies ahead under one set of rules that a streamed program, which takes seconds to compile, pays.
-// `done`: cell-updates under them so far, which is all there is to go by past the experiment's last iteration.
+// `cached`: caches hold the lattice, so that less is gained. `done`: cell-updates under these rules so far, which is
+// all there is to go by past the experiment's last iteration.
 bool streaming_pays(const Experiment&, const std::vector<bool>& active, std::uint64_t iteration, double cells,
-                    double done);
+                    bool cached, double done);
 
 // Whether the device's work-groups share the steps of small lattices instead of being launched for each.
 bool shares_steps(const Session&);

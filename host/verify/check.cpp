@@ -54,6 +54,7 @@ OpenclBackend& Place::backend(const Setting& setting) {
         options.work_group = setting.work_group;
         options.width = setting.width;
         options.variants = setting.variants;
+        options.cut.columns = setting.columns;
         options.neighbours = setting.search;
         backend = opencl_backend(options);
     }

@@ -24,6 +24,7 @@ struct Setting {
     std::size_t work_group = 0;  // 0: as a run would choose it
     std::size_t width = 0;
     std::size_t variants = 16;
+    std::size_t columns = 0;                         // of a band of streamed steps; 0: as a run would choose it
     NeighbourSearch search = NeighbourSearch::bins;  // of free cells
 
     auto operator<=>(const Setting&) const = default;

@@ -82,8 +82,7 @@ bool may_stream(const OpenclOptions& options, const Experiment& experiment, cons
     const double cells = std::max(final_cells(experiment, end), static_cast<double>(initial.cells()));
     const double scalar = options.precision == Precision::double_ ? 8 : 4;
     const double bytes = 2 * scalar * static_cast<double>(experiment.chemicals.size()) * cells;
-    if (caches_hold(select_device(options.device), bytes)) return false;
-    return streaming_pays(experiment, active, iteration, cells, 0);
+    return streaming_pays(experiment, active, iteration, cells, caches_hold(select_device(options.device), bytes), 0);
 }
 
 std::string difference(const OpenclOptions& options, const Experiment& experiment, const Snapshot& start) {

@@ -99,6 +99,8 @@ FAULTS = [
      "SCRATCH(level & 1, r, 0)"),
     ("a column of each band never written", "kernels/lattice_stream.cl", "const int to = min(from + inner, columns);",
      "const int to = min(from + inner, columns - 1);"),
+    ("a row without margins ends in the wrong cell", "kernels/lattice_stream.cl",
+     "row[columns] = right < 0 ? 0 : row[right];", "row[columns] = right < 0 ? 0 : row[columns - 1 - right];"),
     ("a fused pass counts its iterations from 1", "kernels/lattice_stream.cl", "first + (uint)step;",
      "first + (uint)step + 1;"),
     ("a tile short of a row", "kernels/lattice_tile.cl", "const int up_to = tall - level - 1;",
