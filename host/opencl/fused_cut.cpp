@@ -40,13 +40,20 @@ std::size_t steps_of_pass(const Grid& grid, std::size_t depth, std::uint64_t cou
     return static_cast<std::size_t>((count + passes - 1) / passes);
 }
 
+// So many bands or a few more, that `units` threads get equal shares of them or of two strips a thread.
+std::size_t even_bands(std::size_t bands, std::size_t units) {
+    if (bands >= units) return divided(bands, units) * units;
+    while (2 * units % bands != 0) ++bands;
+    return bands;
+}
+
 // Work-groups along a row, as many as are needed and all alike.
-FusedLaunch across(const Grid& grid, const FusedShape& shape, std::size_t width, std::size_t steps) {
+FusedLaunch across(const Grid& grid, const FusedShape& shape, std::size_t width, std::size_t steps, std::size_t units) {
     FusedLaunch launch;
     launch.steps = steps;
     launch.margin = steps;
     const std::size_t margins = 2 * steps;
-    launch.bands = divided(grid.columns, shape.vectors * width - margins);
+    launch.bands = even_bands(divided(grid.columns, shape.vectors * width - margins), units);
     launch.vectors = divided(divided(grid.columns, launch.bands) + margins, width);
     launch.bands = divided(grid.columns, launch.vectors * width - margins);
     return launch;
@@ -127,7 +134,7 @@ FusedLaunch stream_launch(const Session& session, const Grid& grid, const FusedS
     const std::size_t units = alone ? 1 : session.info().compute_units;
     const std::size_t depth = whole && shape.together ? shared_depth(shape, divided(grid.rows, units)) : shape.depth;
     const std::size_t steps = steps_of_pass(grid, depth, count);
-    FusedLaunch launch = whole ? whole_rows(grid, width, steps) : across(grid, shape, width, steps);
+    FusedLaunch launch = whole ? whole_rows(grid, width, steps) : across(grid, shape, width, steps, units);
     const std::size_t groups = grid.rows < 16 * launch.steps * units ? units : 2 * units;
     launch.strips = std::clamp<std::size_t>(divided(groups, launch.bands), 1, divided(grid.rows, 2 * launch.steps));
     launch.strip = divided(grid.rows, launch.strips);
@@ -178,7 +185,7 @@ FusedShape tile_shape(const Session& session, const FusedFields& fields, std::si
 }
 
 FusedLaunch tile_launch(const Grid& grid, const FusedShape& shape, std::size_t width, std::uint64_t count) {
-    FusedLaunch launch = across(grid, shape, width, steps_of_pass(grid, shape.depth, count));
+    FusedLaunch launch = across(grid, shape, width, steps_of_pass(grid, shape.depth, count), 1);
     launch.strips = divided(grid.rows, shape.rows);
     launch.strip = divided(grid.rows, launch.strips);
     launch.strips = divided(grid.rows, launch.strip);

@@ -35,7 +35,7 @@ Candidates for_processors(std::size_t width, Effort effort) {
     if (effort == Effort::quick) return list;
     for (const std::size_t across : {width, half}) {
         for (const std::size_t depth : {8u, 16u, 24u, 32u}) {
-            for (const std::size_t columns : {128u, 256u, 512u}) {
+            for (const std::size_t columns : {128u, 256u, 384u, 512u}) {
                 for (const std::size_t rows : {4u, 8u, 16u}) add(list, streamed(across, depth, columns, rows));
             }
         }

@@ -93,7 +93,7 @@ TEST_CASE("each kind of device gets its own kernels") {
     const auto on_processor = candidates(processor(), Precision::single_, Effort::exhaustive);
     const auto on_graphics = candidates(graphics(1024), Precision::single_, Effort::exhaustive);
 
-    CHECK(count_kernel(on_processor, Fusion::always) == 72);
+    CHECK(count_kernel(on_processor, Fusion::always) == 96);
     CHECK(count_kernel(on_processor, Fusion::shared) == 2);
     CHECK(count_kernel(on_processor, Fusion::tiled) == 0);
     CHECK(count_kernel(on_graphics, Fusion::tiled) == 108);
