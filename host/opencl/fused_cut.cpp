@@ -127,11 +127,11 @@ FusedShape stream_shape(const Session& session, const FusedFields& fields, std::
     return shape;
 }
 
-FusedLaunch stream_launch(const Session& session, const Grid& grid, const FusedShape& shape, std::size_t width,
+FusedLaunch stream_launch(const DeviceInfo& device, const Grid& grid, const FusedShape& shape, std::size_t width,
                           std::uint64_t count) {
     const bool whole = grid.columns <= shape.vectors * width;
     const bool alone = whole && grid.cells() < alone_below;
-    const std::size_t units = alone ? 1 : session.info().compute_units;
+    const std::size_t units = alone ? 1 : std::max<std::size_t>(1, device.compute_units);
     const std::size_t depth = whole && shape.together ? shared_depth(shape, divided(grid.rows, units)) : shape.depth;
     const std::size_t steps = steps_of_pass(grid, depth, count);
     FusedLaunch launch = whole ? whole_rows(grid, width, steps) : across(grid, shape, width, steps, units);
@@ -139,9 +139,15 @@ FusedLaunch stream_launch(const Session& session, const Grid& grid, const FusedS
     launch.strips = std::clamp<std::size_t>(divided(groups, launch.bands), 1, divided(grid.rows, 2 * launch.steps));
     launch.strip = divided(grid.rows, launch.strips);
     launch.strips = divided(grid.rows, launch.strip);
-    const bool ends_loops = session.info().software_rasteriser();
+    const bool ends_loops = device.software_rasteriser();
     while (ends_loops && launch.strip > 1 && turns_of_pass(shape, launch) > turns_a_launch) {
         launch.strip = divided(launch.strip, 2);
+        launch.strips = divided(grid.rows, launch.strip);
+    }
+    // Who shares passes waits for the strips beside its own and no others: none may be lower than a margin.
+    const auto lowest = [&] { return grid.rows - (launch.strips - 1) * launch.strip; };
+    while (shape.together && launch.bands == 1 && launch.strips > 1 && lowest() < launch.steps) {
+        launch.strip = divided(grid.rows, launch.strips - 1);
         launch.strips = divided(grid.rows, launch.strip);
     }
     launch.together = shape.together && launch.bands == 1 && launch.strips > 1;

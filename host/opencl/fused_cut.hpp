@@ -27,7 +27,7 @@ FusedShape stream_shape(const Session&, const FusedFields&, std::size_t width);
 FusedShape tile_shape(const Session&, const FusedFields&, std::size_t width);
 
 // The next launch of `count` iterations to come.
-FusedLaunch stream_launch(const Session&, const Grid&, const FusedShape&, std::size_t width, std::uint64_t count);
+FusedLaunch stream_launch(const DeviceInfo&, const Grid&, const FusedShape&, std::size_t width, std::uint64_t count);
 FusedLaunch tile_launch(const Grid&, const FusedShape&, std::size_t width, std::uint64_t count);
 
 }  // namespace pelage

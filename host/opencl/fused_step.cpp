@@ -67,7 +67,7 @@ void FusedStep::enqueue(LatticeState& state, const cl::Buffer& parameters, std::
                         Pace& pace) {
     while (count > 0) {
         const FusedLaunch launch = tiled_ ? tile_launch(state.grid(), shape_, width_, count)
-                                          : stream_launch(session_, state.grid(), shape_, width_, count);
+                                          : stream_launch(session_.info(), state.grid(), shape_, width_, count);
         set_planes(state);
         kernel_.setArg(10, state.places());
         kernel_.setArg(11, parameters);
