@@ -73,6 +73,11 @@ FAULTS = [
      "min(column, grid.columns - 1)"),
     ("lists in descending order", "kernels/neighbours_lists.cl", "ids[list[(k - gap) * PELAGE_BLOCK]] > id",
      "ids[list[(k - gap) * PELAGE_BLOCK]] < id"),
+    ("what lies past the end of a full list written last", "kernels/neighbours_lists.cl",
+     "    PELAGE_STORE4(sf, se, sd, sc)\n    PELAGE_STORE4(sb, sa, s9, s8)\n"
+     "    PELAGE_STORE4(s7, s6, s5, s4)\n    PELAGE_STORE4(s3, s2, s1, s0)\n",
+     "    PELAGE_STORE4(s0, s1, s2, s3)\n    PELAGE_STORE4(s4, s5, s6, s7)\n"
+     "    PELAGE_STORE4(s8, s9, sa, sb)\n    PELAGE_STORE4(sc, sd, se, sf)\n"),
     ("y of another point", "kernels/neighbours_bins.cl", "sorted[pitch + place] = positions[pitch + order[place]];",
      "sorted[pitch + place] = positions[pitch + place];"),
     ("window of the spatial sorting too narrow", "kernels/spatial_sorting.cl", "min(column + reach, side - 1)",
