@@ -3,6 +3,7 @@
 // for a step, and what a strip holds stays near its processor.
 // A device need not run all groups at once. Until everybody has arrived, those that are there do the others' strips
 // too: one group alone finishes. Groups that have arrived run, so their neighbours may wait for them.
+// Where a level is a pass of several steps (lattice_stream.cl) no strip may be lower than those are many.
 // Levels count on from launch to launch: `begin` is the first one of this launch, `end` the one after the last.
 
 // Places of flags, each in a cache line of its own.
