@@ -47,7 +47,7 @@ static inline uint pelage_or_of(uint16 v) {
 
 // Lane k holds `bits` of lane k where point begin + k is near, else 0.
 static inline uint16 pelage_near_lanes(__global const scalar* x, __global const scalar* y, int begin, scalar centre_x,
-                                scalar centre_y, scalar square, uint16 bits) {
+                                       scalar centre_y, scalar square, uint16 bits) {
     const real dx = LOAD(x + begin) - centre_x;
     const real dy = LOAD(y + begin) - centre_y;
     return as_uint16(convert_int16(dx * dx + dy * dy < square)) & bits;
@@ -58,14 +58,14 @@ static inline uint pelage_lowest(int count) { return (1u << min(count, 16)) - 1u
 
 // Bit k: point begin + k is near and comes before end.
 static inline uint pelage_near(__global const scalar* x, __global const scalar* y, int begin, int end,
-                        scalar centre_x, scalar centre_y, scalar square) {
+                               scalar centre_x, scalar centre_y, scalar square) {
     return pelage_or_of(pelage_near_lanes(x, y, begin, centre_x, centre_y, square, PELAGE_BITS)) &
            pelage_lowest(end - begin);
 }
 
 // As pelage_near, for up to 32 points.
 static inline uint pelage_near_32(__global const scalar* x, __global const scalar* y, int begin, int end,
-                           scalar centre_x, scalar centre_y, scalar square) {
+                                  scalar centre_x, scalar centre_y, scalar square) {
     const uint first = pelage_near(x, y, begin, end, centre_x, centre_y, square);
     if (end - begin <= 16) return first;
     return first | pelage_near(x, y, begin + 16, end, centre_x, centre_y, square) << 16;
@@ -139,7 +139,7 @@ static inline void pelage_list_scatter(__global int* list, int capacity, int16 r
 
 // At most 8 places, sorted by rank. Lanes past `length` store the point itself behind them.
 static inline void pelage_list_store_8(__global int* list, int8 found, int length, int self,
-                                __global const int* ids) {
+                                       __global const int* ids) {
     const int8 lane = (int8)(0, 1, 2, 3, 4, 5, 6, 7);
     const int8 places = select((int8)self, found, lane < length);
     const int8 rank = pelage_before_8(select(0x7fffffc0 + lane, PELAGE_IDS_8(places), lane < length));
@@ -149,7 +149,7 @@ static inline void pelage_list_store_8(__global int* list, int8 found, int lengt
 
 // The same for at most 32 places.
 static inline void pelage_list_store(__global int* list, int capacity, const int* found, int length, int self,
-                              __global const int* ids) {
+                                     __global const int* ids) {
     const int16 lane = (int16)(0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15);
     const int16 last = 0x7fffffc0 + lane;
     const int16 places = select((int16)self, LOAD(found), lane < length);
@@ -225,8 +225,10 @@ __kernel void pelage_neighbours_lists(__global const scalar* restrict positions,
         }
         length = 0;
     }
+#endif
     const int begin[3] = {begin_0, begin_1, begin_2};
     const int end[3] = {end_0, end_1, end_2};
+#if PELAGE_WIDTH == 16
     // Nearly all others have at most 32 points, and the list as many entries.
     if (longest_run <= 32) {
         int found[48];
@@ -263,8 +265,6 @@ __kernel void pelage_neighbours_lists(__global const scalar* restrict positions,
         }
     }
 #else
-    const int begin[3] = {begin_0, begin_1, begin_2};
-    const int end[3] = {end_0, end_1, end_2};
     for (int k = 0; k < 3; ++k) {
         for (int other = begin[k]; other < end[k]; ++other) {
             const scalar dx = x[other] - centre_x;

@@ -179,7 +179,7 @@ private:
         }
         const bool shared = shares_steps(*session_);
         const std::string reason =
-            fits_caches() ? "caches hold the lattice, and little is left of the run" : reason_against(active);
+            fits_caches() ? "caches hold the lattice, streaming would gain too little" : reason_against(active);
         note(iteration, step->describe(), path != Path::plain || !shared ? "" : reason);
         return step;
     }
