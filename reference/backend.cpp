@@ -2,7 +2,8 @@
 #include "reference/backend.hpp"
 
 #include "core/error.hpp"
-#include "core/prepattern.hpp"
+#include "core/space.hpp"
+#include "core/visit.hpp"
 #include "reference/cells.hpp"
 #include "reference/lattice.hpp"
 
@@ -22,8 +23,11 @@ public:
     std::unique_ptr<Tissue> make_tissue(const Experiment& experiment, const Snapshot& initial) override {
         validate(experiment);
         auto shared = std::make_shared<const Experiment>(experiment);
-        if (is_lattice(experiment)) return make_reference_lattice(std::move(shared), initial, precision_);
-        return make_reference_cells(std::move(shared), initial, precision_, search_, sorting_);
+        return std::visit(
+            Overloaded{
+                [&](const Lattice&) { return make_reference_lattice(shared, initial, precision_); },
+                [&](const FreeCells&) { return make_reference_cells(shared, initial, precision_, search_, sorting_); }},
+            space_of(experiment));
     }
     using Backend::make_tissue;
 

@@ -33,7 +33,7 @@ int check(const std::vector<std::string>& files, bool explain) {
                        counted(experiment.chemicals.size(), "chemical", "chemicals"),
                        counted(experiment.rules.size(), "rule", "rules"),
                        counted(experiment.last_iteration(), "iteration", "iterations"));
-            if (!explain || !is_lattice(experiment)) continue;
+            if (!explain) continue;
             for (const std::string& line : explain_lattice(experiment, initial_state(experiment), Precision::single_)) {
                 fmt::print("  {}\n", line);
             }

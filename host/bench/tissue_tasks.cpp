@@ -1,10 +1,8 @@
 // See tissue_tasks.hpp.
 #include "bench/tissue_tasks.hpp"
 
-#include "core/prepattern.hpp"
-#include "opencl/cells.hpp"
 #include "opencl/cl_error.hpp"
-#include "opencl/lattice.hpp"
+#include "opencl/tissue.hpp"
 #include "reference/backend.hpp"
 
 #include <algorithm>
@@ -15,9 +13,7 @@ namespace {
 
 std::unique_ptr<Tissue> on_device(std::shared_ptr<const Session> session, const Experiment& experiment,
                                   const Snapshot& initial) {
-    auto shared = std::make_shared<const Experiment>(experiment);
-    if (is_lattice(experiment)) return make_opencl_lattice(std::move(session), std::move(shared), initial);
-    return make_opencl_cells(std::move(session), std::move(shared), initial);
+    return make_opencl_tissue(std::move(session), std::make_shared<const Experiment>(experiment), initial);
 }
 
 class TissueTask final : public Task {

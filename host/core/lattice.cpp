@@ -2,7 +2,6 @@
 #include "core/lattice.hpp"
 
 #include "core/error.hpp"
-#include "core/prepattern.hpp"
 
 #include <algorithm>
 #include <variant>
@@ -62,21 +61,12 @@ bool uses_polarity(const Experiment& experiment, const Snapshot& initial) {
 }  // namespace
 
 LatticePlan lattice_plan(const Experiment& experiment, const Snapshot& initial) {
-    if (!is_lattice(experiment)) throw Error(experiment.source + ": the tissue is not a lattice");
-    LatticePlan plan;
-    plan.columns = initial.columns;
+    const Space space = space_of(experiment);
+    const auto* lattice = std::get_if<Lattice>(&space);
+    if (lattice == nullptr) throw Error(experiment.source + ": the tissue is not a lattice");
+    LatticePlan plan{*lattice, {}, false};
+    plan.columns = initial.columns;  // it may have grown
     plan.rows = initial.rows;
-    for (const Statement& statement : experiment.prepattern) {
-        if (const auto* matrix = std::get_if<CreateMatrix>(&statement)) {
-            plan.boundary = matrix->boundary;
-            plan.stencil = experiment.stencil;
-            plan.arithmetic = Arithmetic::fused;
-        } else if (const auto* grid = std::get_if<CreateGrid>(&statement)) {
-            plan.boundary = grid->wrap ? Boundary::wrap : Boundary::no_flux;
-            plan.stencil = Stencil::moore;
-            plan.arithmetic = Arithmetic::published;
-        }
-    }
     for (std::size_t chemical = 0; chemical < experiment.chemicals.size(); ++chemical) {
         plan.rates.push_back(rate_kind(experiment, initial, chemical));
     }

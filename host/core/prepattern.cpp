@@ -1,5 +1,6 @@
 // See prepattern.hpp.
 #include "core/prepattern.hpp"
+#include "core/space.hpp"
 
 #include "core/error.hpp"
 
@@ -289,17 +290,13 @@ private:
     }
 
     void shape_lattice() {
-        if (!is_lattice(experiment_)) return;
-        for (const Statement& statement : experiment_.prepattern) {
-            const auto take = [&](const auto& created) {
-                state_.columns = created.columns;
-                state_.rows = created.rows;
-                state_.origin_x = created.x;
-                state_.origin_y = created.y;
-            };
-            if (const auto* matrix = std::get_if<CreateMatrix>(&statement)) take(*matrix);
-            if (const auto* grid = std::get_if<CreateGrid>(&statement)) take(*grid);
-        }
+        const Space space = space_of(experiment_);
+        const auto* lattice = std::get_if<Lattice>(&space);
+        if (lattice == nullptr) return;
+        state_.columns = lattice->columns;
+        state_.rows = lattice->rows;
+        state_.origin_x = lattice->x;
+        state_.origin_y = lattice->y;
     }
 
     void load_fields() {
@@ -322,11 +319,6 @@ private:
     std::optional<Spread> polarity_;
     Snapshot state_;
 };
-
-bool creates_cells(const Statement& statement) {
-    return std::holds_alternative<CreateCell>(statement) || std::holds_alternative<CreateGrid>(statement) ||
-           std::holds_alternative<CreateMatrix>(statement) || std::holds_alternative<CreateShape>(statement);
-}
 
 struct Counter {
     std::size_t operator()(const CreateCell&) const { return 1; }
@@ -356,18 +348,6 @@ Snapshot initial_state(const Experiment& experiment) {
     Builder builder(experiment);
     for (const Statement& statement : experiment.prepattern) std::visit(builder, statement);
     return builder.finish();
-}
-
-bool is_lattice(const Experiment& experiment) {
-    const auto& statements = experiment.prepattern;
-    if (std::count_if(statements.begin(), statements.end(), creates_cells) != 1) return false;
-    const auto created = std::find_if(statements.begin(), statements.end(), creates_cells);
-    if (std::holds_alternative<CreateMatrix>(*created)) return true;
-    const auto* grid = std::get_if<CreateGrid>(&*created);
-    if (grid == nullptr || grid->arrangement != Arrangement::sqr_grid || grid->deviation != 0.0) return false;
-    return std::none_of(experiment.rules.begin(), experiment.rules.end(), [](const Rule& rule) {
-        return std::holds_alternative<Divide>(rule.action) || std::holds_alternative<Move>(rule.action);
-    });
 }
 
 std::size_t count_cells(const Experiment& experiment) {

@@ -28,10 +28,6 @@ private:
 // when a field's shape is not the lattice's.
 Snapshot initial_state(const Experiment&);
 
-// True when the tissue is a lattice: a matrix, or a single sqr_grid that holds all cells, without jitter and without
-// divide and move rules. Everything else is free cells.
-bool is_lattice(const Experiment&);
-
 std::size_t count_cells(const Experiment&);  // without creating them
 
 }  // namespace pelage

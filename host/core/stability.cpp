@@ -1,7 +1,8 @@
 // See stability.hpp.
 #include "core/stability.hpp"
 
-#include "core/prepattern.hpp"
+#include "core/space.hpp"
+#include "core/visit.hpp"
 
 #include <algorithm>
 
@@ -23,19 +24,19 @@ double stiffness(Stencil stencil) {
 
 namespace {
 
-double lattice_stiffness(const Experiment& experiment) {
-    const auto is_grid = [](const Statement& statement) { return std::holds_alternative<CreateGrid>(statement); };
-    const bool grid = std::any_of(experiment.prepattern.begin(), experiment.prepattern.end(), is_grid);
-    return stiffness(grid ? Stencil::moore : experiment.stencil);
-}
-
 // A free cell of the published kind has about six neighbours; the hexagonal lattice's eigenvalue bounds its diffusion.
 constexpr double hexagonal_stiffness = 9.0;
+
+double stiffness(const Space& space) {
+    return std::visit(Overloaded{[](const Lattice& lattice) { return stiffness(lattice.stencil); },
+                                 [](const FreeCells&) { return hexagonal_stiffness; }},
+                      space);
+}
 
 }  // namespace
 
 std::optional<Instability> find_instability(const Experiment& experiment, const Snapshot& initial) {
-    const double stiff = is_lattice(experiment) ? lattice_stiffness(experiment) : hexagonal_stiffness;
+    const double stiff = stiffness(space_of(experiment));
     std::vector<double> largest;
     for (const std::vector<double>& rates : initial.diff) {
         largest.push_back(rates.empty() ? 0.0 : *std::max_element(rates.begin(), rates.end()));

@@ -2,6 +2,7 @@
 #include "core/error.hpp"
 #include "core/experiment.hpp"
 #include "core/prepattern.hpp"
+#include "core/space.hpp"
 
 #include <fmt/format.h>
 
@@ -13,15 +14,9 @@ namespace pelage {
 
 namespace {
 
-bool has_matrix(const Experiment& experiment) {
-    return std::any_of(experiment.prepattern.begin(), experiment.prepattern.end(),
-                       [](const Statement& statement) { return std::holds_alternative<CreateMatrix>(statement); });
-}
-
 class Checker {
 public:
-    explicit Checker(const Experiment& experiment)
-        : experiment_(experiment), lattice_(is_lattice(experiment)), matrix_(has_matrix(experiment)) {}
+    explicit Checker(const Experiment& experiment) : experiment_(experiment), space_(space_of(experiment)) {}
 
     void check() {
         check_names();
@@ -92,6 +87,8 @@ private:
         check_size(cells, 1);
     }
 
+    const Lattice* lattice() const { return std::get_if<Lattice>(&space_); }
+
     void check_size(std::size_t columns, std::size_t rows) const {
         if (columns > largest_cell_count || rows > largest_cell_count / std::max<std::size_t>(columns, 1)) {
             fail(fmt::format("{} x {} cells are more than the {} that can be addressed", columns, rows,
@@ -122,7 +119,8 @@ private:
             case Quantity::column:
             case Quantity::rows:
             case Quantity::columns:
-                if (!lattice_) fail("ROW, COLUMN, ROWS and COLUMNS need a lattice; these are free cells (use X and Y)");
+                if (lattice() == nullptr)
+                    fail("ROW, COLUMN, ROWS and COLUMNS need a lattice; these are free cells (use X and Y)");
                 break;
             default:
                 break;
@@ -183,7 +181,8 @@ private:
     void check_action(const Rule&, const Move& move) const { check_operand(move.distance); }
     void check_action(const Rule&, const And&) const {}
     void check_action(const Rule& rule, const Expand& expand) const {
-        if (!matrix_) fail("`expand` needs a matrix; `create matrix COLUMNS ROWS`");
+        if (lattice() == nullptr || !lattice()->expandable)
+            fail("`expand` needs a matrix; `create matrix COLUMNS ROWS`");
         if (!std::holds_alternative<Always>(rule.condition)) fail("an `expand` rule takes the condition `always`");
         if (expand.columns + expand.rows == 0) fail("an `expand` rule inserts no columns and no rows");
         if (expand.columns > 1000 || expand.rows > 1000)
@@ -197,8 +196,7 @@ private:
     }
 
     const Experiment& experiment_;
-    bool lattice_;
-    bool matrix_;
+    Space space_;
     std::size_t line_ = 0;
 };
 

@@ -2,6 +2,8 @@
 #include "io/texture.hpp"
 
 #include "core/error.hpp"
+#include "core/space.hpp"
+#include "core/visit.hpp"
 
 #include <fmt/format.h>
 #include <algorithm>
@@ -198,11 +200,9 @@ std::vector<Field> interpolate(const Snapshot& cells, const std::vector<std::vec
 }
 
 bool wraps(const Experiment& experiment) {
-    for (const auto& statement : experiment.prepattern) {
-        if (const auto* grid = std::get_if<CreateGrid>(&statement)) return grid->wrap;
-        if (const auto* matrix = std::get_if<CreateMatrix>(&statement)) return matrix->boundary == Boundary::wrap;
-    }
-    return false;
+    return std::visit(Overloaded{[](const Lattice& lattice) { return lattice.boundary == Boundary::wrap; },
+                                 [](const FreeCells&) { return false; }},
+                      space_of(experiment));
 }
 
 }  // namespace pelage

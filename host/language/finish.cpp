@@ -1,5 +1,5 @@
 // The end of the file: defaults, and the checks that only the whole experiment allows.
-#include "core/prepattern.hpp"
+#include "core/space.hpp"
 #include "language/script.hpp"
 
 #include <fmt/format.h>
@@ -19,22 +19,6 @@ std::uint64_t occasions(const Rule& rule, std::uint64_t stop) {
     const std::uint64_t past = (first - start) % rule.every;
     if (past != 0) first += rule.every - past;
     return first > last ? 0 : (last - first) / rule.every + 1;
-}
-
-struct Size {
-    std::uint64_t columns = 0;
-    std::uint64_t rows = 0;
-};
-
-// 0 x 0 for free cells.
-Size lattice_size(const Experiment& experiment) {
-    Size size;
-    if (!is_lattice(experiment)) return size;
-    for (const Statement& statement : experiment.prepattern) {
-        if (const auto* matrix = std::get_if<CreateMatrix>(&statement)) size = {matrix->columns, matrix->rows};
-        if (const auto* grid = std::get_if<CreateGrid>(&statement)) size = {grid->columns, grid->rows};
-    }
-    return size;
 }
 
 }  // namespace
@@ -73,7 +57,7 @@ void Script::check_arrangement() const {
     if (needs_matrix_ && !matrix_) refuse(*needs_matrix_, "needs a matrix; write 'create matrix COLUMNS ROWS'");
     if (refuses_matrix_ && matrix_)
         refuse(*refuses_matrix_, "needs free cells; the elements of a matrix stay in place");
-    if (needs_lattice_ && !is_lattice(experiment)) {
+    if (needs_lattice_ && std::holds_alternative<FreeCells>(space_of(experiment))) {
         refuse(*needs_lattice_,
                "needs a lattice: a matrix, or a single sqr_grid without 'divide' and 'move'; free cells have X and Y");
     }
@@ -81,20 +65,24 @@ void Script::check_arrangement() const {
 
 void Script::check_pictures() const {
     if (pictures_.empty()) return;
-    const auto [columns, rows] = lattice_size(experiment);
+    const Space space = space_of(experiment);
+    const auto* lattice = std::get_if<Lattice>(&space);
     for (const Picture& picture : pictures_) {
         const Field& field = *experiment.chemicals[picture.chemical].initial;
-        if (field.columns == columns && field.rows == rows) continue;
-        const std::string lattice =
-            columns == 0 ? "only lattices start from pictures" : fmt::format("the lattice is {} x {}", columns, rows);
+        if (lattice != nullptr && field.columns == lattice->columns && field.rows == lattice->rows) continue;
+        const std::string wanted = lattice == nullptr
+                                       ? "only lattices start from pictures"
+                                       : fmt::format("the lattice is {} x {}", lattice->columns, lattice->rows);
         throw error_at(experiment.source, picture.place,
-                       fmt::format("the picture is {} x {}; {}", field.columns, field.rows, lattice));
+                       fmt::format("the picture is {} x {}; {}", field.columns, field.rows, wanted));
     }
 }
 
 void Script::check_growth() const {
     if (expansions_.empty()) return;
-    auto [columns, rows] = lattice_size(experiment);
+    const auto matrix = std::get<Lattice>(space_of(experiment));
+    std::uint64_t columns = matrix.columns;
+    std::uint64_t rows = matrix.rows;
     auto place = expansions_.begin();
     for (const Rule& rule : experiment.rules) {
         const auto* expand = std::get_if<Expand>(&rule.action);

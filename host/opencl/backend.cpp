@@ -1,11 +1,12 @@
 // See backend.hpp.
 #include "opencl/backend.hpp"
 
-#include "core/prepattern.hpp"
+#include "core/space.hpp"
+#include "core/visit.hpp"
 #include "opencl/cells.hpp"
 #include "opencl/cl_error.hpp"
-#include "opencl/lattice.hpp"
 #include "opencl/session.hpp"
+#include "opencl/tissue.hpp"
 
 #include <fmt/format.h>
 
@@ -27,7 +28,9 @@ public:
         if (session_->is_double() && !session_->info().fp64) {
             return fmt::format("device '{}' has no double precision", session_->info().name);
         }
-        return is_lattice(experiment) ? "" : why_not_cells(experiment);
+        return std::visit(Overloaded{[](const Lattice&) { return std::string(); },
+                                     [&](const FreeCells&) { return why_not_cells(experiment); }},
+                          space_of(experiment));
     }
 
     using Backend::make_tissue;
@@ -35,12 +38,7 @@ public:
         validate(experiment);
         const std::string reason = why_not(experiment);
         if (!reason.empty()) throw Error(experiment.source + ": " + reason);
-        auto shared = std::make_shared<const Experiment>(experiment);
-        if (is_lattice(experiment)) return make_opencl_lattice(session_, std::move(shared), initial);
-        CellsOptions options;
-        options.search = session_->options().neighbours;
-        options.sorting = session_->options().sorting;
-        return make_opencl_cells(session_, std::move(shared), initial, options);
+        return make_opencl_tissue(session_, std::make_shared<const Experiment>(experiment), initial);
     }
 
 private:

@@ -1,7 +1,6 @@
 // See explain.hpp.
 #include "opencl/explain.hpp"
 
-#include "core/prepattern.hpp"
 #include "core/schedule.hpp"
 
 #include <fmt/format.h>
@@ -48,7 +47,7 @@ std::string why_not_streamed(const LatticePlan& plan, const RuleUse& use) {
 }
 
 std::vector<std::string> explain_lattice(const Experiment& experiment, const Snapshot& initial, Precision precision) {
-    if (!is_lattice(experiment)) return {};
+    if (std::holds_alternative<FreeCells>(space_of(experiment))) return {};
     const LatticePlan plan = lattice_plan(experiment, initial);
     std::vector<std::string> sentences;
     std::set<std::vector<bool>> known;

@@ -4,6 +4,7 @@
 #include "core/error.hpp"
 #include "core/philox.hpp"
 #include "core/prepattern.hpp"
+#include "core/space.hpp"
 
 #include <fmt/format.h>
 
@@ -20,14 +21,6 @@ namespace {
 // More than two bands of the widest, and more than two strips of the deepest; both odd.
 constexpr LatticeSize verified_size{1201, 199};
 constexpr std::uint64_t fewest_iterations = 1000;  // before what is timed goes back to its start
-
-// Calls change(columns, rows) on the statement that makes the lattice.
-template <class Change>
-void with_shape(Statement& statement, const Change& change) {
-    if (auto* matrix = std::get_if<CreateMatrix>(&statement)) change(matrix->columns, matrix->rows);
-    auto* grid = std::get_if<CreateGrid>(&statement);
-    if (grid != nullptr && grid->arrangement == Arrangement::sqr_grid) change(grid->columns, grid->rows);
-}
 
 std::shared_ptr<const Field> cropped(const Field& field, LatticeSize size) {
     auto piece = std::make_shared<Field>();
@@ -81,26 +74,19 @@ bool number(const std::string& word) {
 }  // namespace
 
 LatticeSize lattice_size(const Experiment& experiment) {
-    if (!is_lattice(experiment)) {
+    const Space space = space_of(experiment);
+    const auto* lattice = std::get_if<Lattice>(&space);
+    if (lattice == nullptr) {
         throw Error(experiment.source +
                     ": free cells have one kernel, there is nothing to tune; lattices have several");
     }
-    LatticeSize size;
-    for (Statement statement : experiment.prepattern) {
-        with_shape(statement, [&](std::size_t columns, std::size_t rows) { size = {columns, rows}; });
-    }
-    return size;
+    return {lattice->columns, lattice->rows};
 }
 
 Experiment cut_down(Experiment experiment, LatticeSize most) {
     const LatticeSize whole = lattice_size(experiment);
     const LatticeSize size{std::min(whole.columns, most.columns), std::min(whole.rows, most.rows)};
-    for (Statement& statement : experiment.prepattern) {
-        with_shape(statement, [&](std::size_t& columns, std::size_t& rows) {
-            columns = size.columns;
-            rows = size.rows;
-        });
-    }
+    resize_lattice(experiment, size.columns, size.rows);
     std::erase_if(experiment.prepattern, [&](const Statement& statement) {
         const auto* set = std::get_if<SetCells>(&statement);
         return set != nullptr && set->last >= size.cells();

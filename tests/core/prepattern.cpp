@@ -61,21 +61,6 @@ TEST_CASE("jitter draws y first and lies below the centre") {
     CHECK_FALSE(state.lattice());
 }
 
-TEST_CASE("lattices are told from free cells") {
-    CreateGrid jittered = grid(Arrangement::sqr_grid, 3, 3);
-    jittered.deviation = 0.1;
-    Experiment dividing = with({grid(Arrangement::sqr_grid, 3, 3)});
-    dividing.rules.push_back({});
-    dividing.rules.back().action = Divide{};
-
-    CHECK(is_lattice(with({grid(Arrangement::sqr_grid, 3, 3)})));
-    CHECK(is_lattice(with({CreateMatrix{3, 3, Boundary::no_flux, 0, 0}})));
-    CHECK_FALSE(is_lattice(with({jittered})));
-    CHECK_FALSE(is_lattice(with({grid(Arrangement::hex_grid, 3, 3)})));
-    CHECK_FALSE(is_lattice(with({grid(Arrangement::sqr_grid, 3, 3), CreateCell{}})));
-    CHECK_FALSE(is_lattice(dividing));
-}
-
 TEST_CASE("mirror pairs follow the letters of a shape") {
     const Snapshot forward = initial_state(with({CreateShape{{"ABoba"}, 0, 0, false}}));
     const Snapshot reversed = initial_state(with({CreateShape{{"aaAA"}, 0, 0, false}}));

@@ -3,6 +3,7 @@
 
 #include "core/error.hpp"
 #include "core/prepattern.hpp"
+#include "core/space.hpp"
 #include "io/exr.hpp"
 #include "io/npy.hpp"
 #include "io/picture.hpp"
@@ -87,17 +88,12 @@ void RandomFiles::offer(RandomLimits& limits) const {
 Experiment Variation::of(Experiment experiment) const {
     if (seed) experiment.seed = seed;
     const auto pictured = [](const Chemical& chemical) { return chemical.initial != nullptr; };
-    const bool fits = columns != 0 && is_lattice(experiment) && std::ranges::none_of(experiment.chemicals, pictured);
-    if (!fits) return experiment;
+    const bool lattice = std::holds_alternative<Lattice>(space_of(experiment));
+    if (columns == 0 || !lattice || std::ranges::any_of(experiment.chemicals, pictured)) return experiment;
+    resize_lattice(experiment, columns, rows);
     const std::size_t last = columns * rows - 1;
     for (Statement& statement : experiment.prepattern) {
-        if (auto* matrix = std::get_if<CreateMatrix>(&statement)) {
-            matrix->columns = columns;
-            matrix->rows = rows;
-        } else if (auto* grid = std::get_if<CreateGrid>(&statement)) {
-            grid->columns = columns;
-            grid->rows = rows;
-        } else if (auto* set = std::get_if<SetCells>(&statement)) {
+        if (auto* set = std::get_if<SetCells>(&statement)) {
             set->first = std::min(set->first, last);
             set->last = std::min(set->last, last);
         }

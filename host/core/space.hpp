@@ -1,0 +1,39 @@
+// What kind of tissue an experiment makes, and what follows from the kind alone.
+#pragma once
+
+#include "core/experiment.hpp"
+
+#include <cstddef>
+#include <variant>
+
+namespace pelage {
+
+// published: the order of operations of Malheiros & Walter's program, without fma, for a sqr_grid: each rule
+//   new += s * f * dt, then each neighbour in turn new += rate * (theirs - mine) * dt.
+// fused: ours, for a matrix: new = fma(s * dt, f, new), then one fma with the whole stencil sum.
+enum class Arithmetic { published, fused };
+
+// Cells in rows and columns, their neighbours given by a stencil: a matrix, or a single sqr_grid that holds all cells,
+// without jitter and without divide and move rules.
+struct Lattice {
+    std::size_t columns = 0;  // at the start
+    std::size_t rows = 0;
+    double x = 0.0, y = 0.0;  // centre, in units of cell radius
+    Boundary boundary = Boundary::no_flux;
+    Stencil stencil = Stencil::nine_point;
+    Arithmetic arithmetic = Arithmetic::fused;
+    bool expandable = false;  // `expand` may insert columns and rows
+};
+
+// Cells with centres anywhere in the plane; those nearer than 3 radii are neighbours.
+struct FreeCells {};
+
+using Space = std::variant<Lattice, FreeCells>;
+
+// Read off the `create` statements and the rules. Nothing else decides what kind of tissue an experiment is.
+Space space_of(const Experiment&);
+
+// Gives the statement that makes the lattice another size. Throws Error for free cells.
+void resize_lattice(Experiment&, std::size_t columns, std::size_t rows);
+
+}  // namespace pelage

@@ -1,0 +1,12 @@
+// Visits a variant with one function a kind: std::visit(Overloaded{[](A) {...}, [](B) {...}}, value). A kind without a
+// function does not compile.
+#pragma once
+
+namespace pelage {
+
+template <class... Functions>
+struct Overloaded : Functions... {
+    using Functions::operator()...;
+};
+
+}  // namespace pelage

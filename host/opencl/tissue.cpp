@@ -1,0 +1,23 @@
+// See tissue.hpp.
+#include "opencl/tissue.hpp"
+
+#include "core/space.hpp"
+#include "core/visit.hpp"
+#include "opencl/cells.hpp"
+#include "opencl/lattice.hpp"
+
+namespace pelage {
+
+std::unique_ptr<Tissue> make_opencl_tissue(std::shared_ptr<const Session> session,
+                                           std::shared_ptr<const Experiment> experiment, const Snapshot& initial) {
+    return std::visit(Overloaded{[&](const Lattice&) { return make_opencl_lattice(session, experiment, initial); },
+                                 [&](const FreeCells&) {
+                                     CellsOptions options;
+                                     options.search = session->options().neighbours;
+                                     options.sorting = session->options().sorting;
+                                     return make_opencl_cells(session, experiment, initial, options);
+                                 }},
+                      space_of(*experiment));
+}
+
+}  // namespace pelage
