@@ -17,13 +17,26 @@ missing_packages() {
     printf '%s\n' "${missing# }"
 }
 
-# apt_get PREFIX... -- PACKAGE...: PREFIX is what lends the rights: nothing, or sudo.
+# quietly COMMAND...: its output replaces the file `log`; when it fails, the output is shown.
+quietly() {
+    "$@" >"$log" 2>&1 && return 0
+    # The lines of progress would hide the reason.
+    grep -Ev '^\[[0-9]+/[0-9]+\] (Building|Linking|Embedding|Re-checking|Generating)' "$log" >&2
+    echo "The whole log is $log." >&2
+    return 1
+}
+
+# install_packages PREFIX PACKAGE...: PREFIX is what lends the rights: nothing, or sudo.
 install_packages() {
     prefix=$1
     shift
-    $prefix env DEBIAN_FRONTEND=noninteractive apt-get -q -o DPkg::Lock::Timeout=300 update &&
-        $prefix env DEBIAN_FRONTEND=noninteractive \
-            apt-get -q -y --no-install-recommends -o DPkg::Lock::Timeout=300 install "$@"
+    log=$(mktemp)
+    # shellcheck disable=SC2086  # an empty prefix is no word
+    quietly $prefix env DEBIAN_FRONTEND=noninteractive apt-get -q -o DPkg::Lock::Timeout=300 update || return 1
+    # shellcheck disable=SC2086
+    quietly $prefix env DEBIAN_FRONTEND=noninteractive \
+        apt-get -q -y --no-install-recommends -o DPkg::Lock::Timeout=300 install "$@" || return 1
+    rm -f "$log"
 }
 
 # set_up_packages [FILE]: what the list names, scripts/packages where none is given.
@@ -38,23 +51,24 @@ set_up_packages() {
     echo "Installing what is missing: $missing" >&2
     # shellcheck disable=SC2086
     if [ "$(id -u)" = 0 ]; then
-        install_packages '' $missing >&2 </dev/null && return 0
+        install_packages '' $missing </dev/null && return 0
     elif command -v sudo >/dev/null 2>&1 && { [ -t 0 ] || sudo -n true 2>/dev/null; }; then
-        install_packages sudo $missing >&2 && return 0
+        install_packages sudo $missing && return 0
     fi
     echo "These packages could not be installed from here. As root, type:" >&2
     echo "    apt-get update && apt-get install --no-install-recommends $missing" >&2
     exit 2
 }
 
-# build_targets TARGET...: says little unless something fails.
+# build_targets TARGET...: says little unless something fails. On a terminal ninja shows its progress in one line.
 build_targets() {
-    log=$(mktemp)
-    if ! cmake -S "$root" --preset release >"$log" 2>&1; then
-        cat "$log" >&2
-        rm -f "$log"
-        exit 2
+    mkdir -p "$build"
+    log=$build/build.log
+    quietly cmake -S "$root" --preset release || exit 2
+    if [ -t 2 ]; then
+        cmake --build "$build" --target "$@" >&2 || exit 2
+    else
+        echo "Building in $build; the log is $log" >&2
+        quietly cmake --build "$build" --target "$@" || exit 2
     fi
-    rm -f "$log"
-    cmake --build "$build" --target "$@" >&2 || exit 2
 }

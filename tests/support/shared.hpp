@@ -9,7 +9,7 @@ namespace test {
 // PELAGE_SHARED/relative (the environment variable wins over the build's setting).
 std::filesystem::path shared(const std::string& relative);
 
-// True, after printing "SKIPPED: PATH is not there", when shared(relative) does not exist.
+// True, after printing "SKIPPED: ...", when shared(relative) does not exist.
 bool shared_missing(const std::string& relative);
 
 }  // namespace test
