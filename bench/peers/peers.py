@@ -139,6 +139,13 @@ def show(rows, table, notes):
         print("left out:", note)
 
 
+def keep(file, rows, notes):
+    """Replaces the file as a whole, so that a run that is cut keeps what it measured."""
+    aside = Path(str(file) + ".part")
+    aside.write_text(json.dumps(dict(results=rows, ratios=ratios(rows), notes=notes), indent=2) + "\n")
+    aside.replace(file)
+
+
 def main():
     options = arguments()
     found, notes = peers()
@@ -151,6 +158,8 @@ def main():
         right = {peer: how for peer, how in found.items() if peer not in wrong}
         for side in sides:
             rows += measure(options, right, system, side)
+            if options.json:
+                keep(options.json, rows, notes)
     radii, steps = ([20], 50) if options.quick else ([45, 180], 1000)
     others = [(options.pattern_explorer, "Pattern Explorer", "--pattern-explorer",
                lambda: foreign.pattern_explorer(Path(options.pattern_explorer).resolve(),
@@ -168,7 +177,7 @@ def main():
     table = ratios(rows)
     show(rows, table, notes)
     if options.json:
-        Path(options.json).write_text(json.dumps(dict(results=rows, ratios=table, notes=notes), indent=2) + "\n")
+        keep(options.json, rows, notes)
     return 1 if any("WRONG" in note for note in notes) else 0
 
 

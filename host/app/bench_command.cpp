@@ -34,19 +34,31 @@ void say(const std::string& text) {
     if (isatty(STDERR_FILENO) != 0) fmt::print(stderr, "\r\x1b[K{}", text);
 }
 
+void write_json(const BenchOptions& options, const bench::Report& report, bool complete) {
+    const auto replace = nlohmann::ordered_json::error_handler_t::replace;  // a driver may not speak UTF-8
+    write_file(options.json, bench::json_of(report, options.what, complete).dump(2, ' ', false, replace) + "\n");
+}
+
+// The file is whole after each case, so that a run that is cut keeps what it measured. A pipe gets everything at the
+// end.
+void keep(const BenchOptions& options, const bench::Report& report) {
+    if (options.json.empty() || std::filesystem::is_other(options.json)) return;
+    write_json(options, report, false);
+}
+
 int finish(const BenchOptions& options, const bench::Report& report) {
     if (isatty(STDERR_FILENO) != 0) fmt::print(stderr, "\r\x1b[K");
     fmt::print("{}", bench::tables(report));
-    if (!options.json.empty()) {
-        const auto replace = nlohmann::ordered_json::error_handler_t::replace;  // a driver may not speak UTF-8
-        write_file(options.json, bench::json_of(report, options.what).dump(2, ' ', false, replace) + "\n");
-    }
+    if (!options.json.empty()) write_json(options, report, true);
     if (!options.plot.empty()) bench::plot(report, options.plot);
     const bool wrong = std::ranges::any_of(report.notes, [](const bench::Note& note) { return note.wrong; });
     return wrong ? failed_check : success;
 }
 
-int bench_all(const BenchOptions& options) { return finish(options, bench::measure(options.what, say)); }
+int bench_all(const BenchOptions& options) {
+    return finish(options,
+                  bench::measure(options.what, say, [&](const bench::Report& report) { keep(options, report); }));
+}
 
 // The shares of several calls under the yardsticks of the first.
 void join(bench::Report& all, bench::Report part) {
@@ -61,7 +73,14 @@ void join(bench::Report& all, bench::Report part) {
 int bench_guard(const BenchOptions& options) {
     const bench::Guard guard = bench::read_guard(options.guard);
     bench::Report report;
-    for (const bench::Options& part : bench::options_for(guard, options.what)) join(report, bench::measure(part, say));
+    for (const bench::Options& part : bench::options_for(guard, options.what)) {
+        const auto keep_all = [&](const bench::Report& so_far) {
+            bench::Report all = report;
+            join(all, so_far);
+            keep(options, all);
+        };
+        join(report, bench::measure(part, say, keep_all));
+    }
     const int exit_code = finish(options, report);
     const bench::Verdict verdict = bench::judge(guard, bench::ratios(report));
     fmt::print("\n{}", verdict.text);

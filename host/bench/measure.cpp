@@ -266,7 +266,7 @@ private:
 
 }  // namespace
 
-Report measure(const Options& options, const Say& say) {
+Report measure(const Options& options, const Say& say, const Keep& keep) {
     check(options);
     const std::vector<Case> cases = chosen_cases(options);
     if (cases.empty()) throw Error(fmt::format("--cases names none of suite '{}'", options.suite));
@@ -286,6 +286,7 @@ Report measure(const Options& options, const Say& say) {
             } catch (const Error& error) {
                 report.notes.push_back({one.suite, one.name, size, "all", "", error.what(), false});
             }
+            keep(report);
         }
     }
     return report;

@@ -49,7 +49,10 @@ struct Report {
 // Called with a line of progress now and then.
 using Say = std::function<void(const std::string&)>;
 
+// Called with all that is known so far, whenever a case of one size has been measured.
+using Keep = std::function<void(const Report&)>;
+
 // Throws Error when the options are wrong or no device is there.
-Report measure(const Options&, const Say&);
+Report measure(const Options&, const Say&, const Keep&);
 
 }  // namespace pelage::bench

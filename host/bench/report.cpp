@@ -111,7 +111,7 @@ std::string tables(const Report& report) {
     return text;
 }
 
-nlohmann::ordered_json json_of(const Report& report, const Options& options) {
+nlohmann::ordered_json json_of(const Report& report, const Options& options, bool complete) {
     using Json = nlohmann::ordered_json;
     Json devices = Json::array(), results = Json::array(), quotients = Json::array(), notes = Json::array();
     for (const Yardstick& one : report.yardsticks) {
@@ -163,12 +163,19 @@ nlohmann::ordered_json json_of(const Report& report, const Options& options) {
                          {"text", one.text}});
     }
     const Yardstick& device = report.yardsticks.size() > 1 ? report.yardsticks[1] : report.yardsticks[0];
-    return {{"version", PELAGE_VERSION}, {"device", device.device},
-            {"driver", device.driver},   {"copy_bandwidth", device.copy_bandwidth},
-            {"peak", device.peak},       {"runs", options.runs},
-            {"quick", options.quick},    {"load", report.load},
-            {"devices", devices},        {"results", results},
-            {"ratios", quotients},       {"notes", notes}};
+    return {{"version", PELAGE_VERSION},
+            {"device", device.device},
+            {"driver", device.driver},
+            {"copy_bandwidth", device.copy_bandwidth},
+            {"peak", device.peak},
+            {"runs", options.runs},
+            {"quick", options.quick},
+            {"load", report.load},
+            {"complete", complete},
+            {"devices", devices},
+            {"results", results},
+            {"ratios", quotients},
+            {"notes", notes}};
 }
 
 }  // namespace pelage::bench

@@ -23,6 +23,7 @@ std::vector<Ratio> ratios(const Report&);
 
 std::string tables(const Report&);  // yardsticks, results, ratios, notes
 
-nlohmann::ordered_json json_of(const Report&, const Options&);
+// complete: false while more is to be measured.
+nlohmann::ordered_json json_of(const Report&, const Options&, bool complete);
 
 }  // namespace pelage::bench

@@ -4,6 +4,7 @@
 #include <catch2/catch.hpp>
 #include <nlohmann/json.hpp>
 
+#include <csignal>
 #include <set>
 #include <string>
 
@@ -71,6 +72,7 @@ TEST_CASE("bench compares and times the backends of a lattice, and writes JSON a
     CHECK(report.at("copy_bandwidth").get<double>() > 0);
     CHECK(report.at("peak").get<double>() > 0);
     CHECK(report.at("devices").size() == 2);
+    CHECK(report.at("complete") == true);
     CHECK_FALSE(report.at("ratios").empty());
     for (const char* file : {"speed.roofline.png", "speed.scaling.png"}) {
         CHECK(read_all(folder / file).substr(0, 4) == "\x89PNG");
@@ -115,6 +117,25 @@ TEST_CASE("bench measures growth, and says which backend has no part in it") {
     const auto& one = report.at("results")[0];
     const double seconds = one.at("seconds");
     CHECK(one.at("updates_per_second").get<double>() * seconds > 256.0 * one.at("iterations").get<double>());
+}
+
+TEST_CASE("a bench that is cut off keeps what it has measured") {
+    const Folder folder;
+    const std::filesystem::path file = folder / "bench.json";
+    test::Child bench({PELAGE_COMMAND, "bench", "--suite", "neighbours", "--against", "nanoflann", "--quick", "--runs",
+                       "1", "--sizes", "200,300,400,500,600,700,800,900", "--json", file},
+                      patient());
+
+    const bool appeared = test::wait_for(file, bench);
+    const bool went_on = bench.running();
+    bench.signal(SIGKILL);
+    (void)bench.wait();
+
+    CHECK(appeared);
+    CHECK(went_on);
+    const auto report = nlohmann::json::parse(read_all(file));
+    check_results(report, "neighbours");
+    CHECK(report.at("complete") == false);
 }
 
 TEST_CASE("bench --guard fails where a ratio is lost") {
