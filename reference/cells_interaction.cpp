@@ -61,12 +61,14 @@ void diffuse(const Interaction<T>& way, const std::vector<Near<T>>& seen, const 
     }
 }
 
+// A neighbour at the same place has no direction: the published program's sum is then 0 * d / 0, which is not a number,
+// and it keeps the polarity.
 template <class T>
 void polarize_cell(const std::vector<Near<T>>& seen, const std::vector<T>& conc, std::size_t cell, State<T>& next) {
     T gx = T(0);
     T gy = T(0);
     for (const Near<T>& near : seen) {
-        if (near.norm == T(0)) continue;
+        if (near.norm == T(0)) return;
         gx = gx + ((conc[near.id] - conc[cell]) * near.dx) / near.norm;
         gy = gy + ((conc[near.id] - conc[cell]) * near.dy) / near.norm;
     }

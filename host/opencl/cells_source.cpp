@@ -78,6 +78,7 @@ public:
         for (std::size_t i = 0; written_.mapping && i < experiment_.mappings.size(); ++i) {
             line("STORE(m{0}, mapping_new + {0}L * pitch + first);", i);
         }
+        if (written_.polarity) line("mask met = ALL_FALSE;");
         for (const std::size_t i : rules_.use.polarizes) line("real gx{0} = R(0);\nreal gy{0} = R(0);", i);
         return take();
     }
@@ -92,6 +93,10 @@ public:
             line(
                 "const real other_along = SELECT(((other_px == R(0)) & (other_py == R(0))) | (norm == R(0)), R(1), "
                 "fabs(dx * other_px + dy * other_py) / norm);");
+        }
+        if (written_.polarity) {
+            line("const mask apart = near & (norm != R(0));");
+            line("met = met | (near & (norm == R(0)));");
         }
         for (std::size_t i = 0; i < chemicals(); ++i) exchange(i);
         return take();
@@ -138,9 +143,8 @@ private:
         line("const real step{0} = GATHER(conc_old + {0}L * pitch, other) - c{0};", i);
         if (diffuses(i)) diffuse(i);
         if (!follows) return;
-        line("const mask apart{} = near & (norm != R(0));", i);
-        line("gx{0} = SELECT(apart{0}, gx{0} + (step{0} * dx) / norm, gx{0});", i);
-        line("gy{0} = SELECT(apart{0}, gy{0} + (step{0} * dy) / norm, gy{0});", i);
+        line("gx{0} = SELECT(apart, gx{0} + (step{0} * dx) / norm, gx{0});", i);
+        line("gy{0} = SELECT(apart, gy{0} + (step{0} * dy) / norm, gy{0});", i);
     }
 
     void diffuse(std::size_t i) {
@@ -172,12 +176,13 @@ private:
         line("n{} = {};", i, value);
     }
 
+    // A cell that met another at its own place keeps its polarity: the published program's gradient is no number there.
     void polarity() {
         line("real new_px = px;\nreal new_py = py;");
         for (const std::size_t i : rules_.use.polarizes) {
             line("{{");
             line("const real steepness = sqrt(gx{0} * gx{0} + gy{0} * gy{0});", i);
-            line("const mask turns = g{} & (steepness > {});", i, number(0.0001));
+            line("const mask turns = g{} & !met & (steepness > {});", i, number(0.0001));
             line("new_px = SELECT(turns, gx{} / steepness, new_px);", i);
             line("new_py = SELECT(turns, gy{} / steepness, new_py);", i);
             line("}}");

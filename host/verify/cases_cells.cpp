@@ -48,6 +48,11 @@ const std::vector<CellCase>& cell_cases() {
         {"cells/polarize-by-several-chemicals",
          "rule always polarize A conc\nrule if B conc > 2 polarize C conc\n"
          "rule probability 0.3 polarize B conc\n"},
+        {"cells/at-one-place",
+         "use chemical C conc 2 diff 0.03\nuse polarity 200\ncreate cell 1 1\ncreate cell 1 1\n"
+         "use polarity none\ncreate cell 1 1\ncreate cell 3 1\ncreate cell -8.5 4 fixed\ncreate cell -8.5 4 fixed\n"
+         "rule always polarize A conc\nrule if B conc > 2 polarize C conc\n"
+         "rule every 5 offset 2 if AGE < 9 divide direction 30\n"},
         {"cells/move", "rule always move 0.05 dev 0.02\nrule if Y > 0 move A conc\n"},
         {"cells/divide-in-several-ways",
          "rule probability 0.02 divide direction 45 dev 20\nrule if A conc > 4.9 and\n"

@@ -20,8 +20,9 @@ namespace {
 constexpr std::uint64_t iterations = 40;
 constexpr std::uint64_t stride = 8;
 constexpr std::uint64_t small_iterations = 3;
-constexpr std::array<std::string_view, 4> quick_cases{"cells/turing", "cells/divide-in-several-ways",
-                                                      "cells/divide-while-polarized", "cells/packed-domain"};
+constexpr std::array<std::string_view, 5> quick_cases{"cells/turing", "cells/at-one-place",
+                                                      "cells/divide-in-several-ways", "cells/divide-while-polarized",
+                                                      "cells/packed-domain"};
 
 bool quick(const std::string& name) {
     return std::ranges::find(quick_cases, std::string_view(name)) != quick_cases.end();
@@ -95,6 +96,8 @@ Outcome check_cells(const CellCase& one, Place& place, const std::vector<Setting
 const CellCase mirrored{"cells/mirror-pairs",
                         "rule always react A B scale 0.01 turing alpha 16 beta 12\nrule probability 0.02 divide\n"};
 
+const CellCase& case_named(std::string_view name) { return *std::ranges::find(cell_cases(), name, &CellCase::name); }
+
 Outcome finds_what_is_not_finite(Place& place) {
     Outcome outcome;
     const CellCase& one = cell_cases().front();
@@ -126,6 +129,10 @@ std::vector<Check> cell_checks() {
                       }});
     checks.push_back({"cells/spatial-sorting", "neighbour search", true, [](Place& place) {
                           return check_cells(mirrored, place, {{.search = NeighbourSearch::spatial_sorting}});
+                      }});
+    checks.push_back({"cells/spatial-sorting-at-one-place", "neighbour search", false, [](Place& place) {
+                          return check_cells(case_named("cells/at-one-place"), place,
+                                             {{.search = NeighbourSearch::spatial_sorting}});
                       }});
     checks.push_back({"cells/not-finite", "not finite", true, finds_what_is_not_finite});
     return checks;

@@ -139,6 +139,34 @@ stop at 10
     CHECK(later.neighbours == std::vector<std::int32_t>{1, 1});
 }
 
+TEST_CASE("a cell at the place of another keeps its polarity, whatever else lies around") {
+    const double between = GENERATE(0.0, 1e-200);  // the square of the latter vanishes
+    const NeighbourSearch search = GENERATE(NeighbourSearch::kd_tree, NeighbourSearch::spatial_sorting);
+    CAPTURE(between, static_cast<int>(search));
+    const std::string text = R"(
+define chemical U
+use chemical U conc 1
+use polarity 90
+create cell 0 0
+create cell 0 0
+use chemical U conc 3
+create cell 2.5 0
+create cell -2.5 0
+rule always polarize U conc
+stop at 10
+)";
+    Snapshot state = test::initial(text);
+    state.x[1] = between;
+    state.conc[0][3] = 2;
+    const auto tissue = test::cells(text, state, Precision::double_, search);
+
+    const Snapshot later = test::after(*tissue, 1);
+
+    CHECK(later.neighbours == std::vector<std::int32_t>{3, 3, 2, 2});
+    CHECK(later.polarity_x == std::vector<double>{state.polarity_x[0], state.polarity_x[1], 1, -1});
+    CHECK(later.polarity_y == std::vector<double>{state.polarity_y[0], state.polarity_y[1], 0, 0});
+}
+
 TEST_CASE("impermeable cells exchange nothing") {
     const std::string text = R"(
 define chemical U
