@@ -11,7 +11,7 @@ install(TARGETS pelage_command RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR})
 foreach(part core io)
   install(DIRECTORY host/${part} DESTINATION include/pelage FILES_MATCHING PATTERN "*.hpp")
 endforeach()
-install(FILES host/language/parse.hpp DESTINATION include/pelage/language)
+install(FILES host/language/lint.hpp host/language/outline.hpp host/language/parse.hpp DESTINATION include/pelage/language)
 install(FILES host/opencl/backend.hpp host/opencl/device.hpp DESTINATION include/pelage/opencl)
 install(FILES reference/backend.hpp reference/neighbours.hpp DESTINATION include/pelage/reference)
 

@@ -1,9 +1,10 @@
 // `pelage check FILE...`: reads experiments without running them.
 #include "app/commands.hpp"
-#include "app/progress.hpp"
+#include "app/read_experiment.hpp"
+#include "core/counted.hpp"
 #include "core/error.hpp"
 #include "core/prepattern.hpp"
-#include "language/parse.hpp"
+#include "core/space.hpp"
 #include "opencl/explain.hpp"
 
 #include <fmt/format.h>
@@ -13,48 +14,67 @@
 #include <cstdio>
 #include <memory>
 #include <string>
+#include <variant>
 #include <vector>
 
 namespace pelage::app {
 
 namespace {
 
-std::string counted(std::size_t count, const char* one, const char* many) {
-    return fmt::format("{} {}", grouped(count), count == 1 ? one : many);
+struct CheckOptions {
+    std::vector<std::string> files;
+    bool explain = false;
+    bool strict = false;
+};
+
+void explain_fusion(const Experiment& experiment) {
+    if (!std::holds_alternative<Lattice>(space_of(experiment))) return;
+    for (const std::string& line : explain_lattice(experiment, initial_state(experiment), Precision::single_)) {
+        fmt::print("  {}\n", line);
+    }
 }
 
-int check(const std::vector<std::string>& files, bool explain) {
+// How many warnings there are.
+std::size_t check_file(const std::string& file, bool explain) {
+    Outline outline;
+    const Experiment experiment = read_experiment(file, &outline);
+    const std::vector<Warning> warnings = lint(experiment, outline, experiment.last_iteration());
+    fmt::print("{}: ok: {}, {}, {}, {}{}\n", experiment.source, counted(count_cells(experiment), "cell"),
+               counted(experiment.chemicals.size(), "chemical"), counted(experiment.rules.size(), "rule"),
+               counted(experiment.last_iteration(), "iteration"),
+               warnings.empty() ? "" : "; " + counted(warnings.size(), "warning"));
+    std::fflush(stdout);  // the warnings come after the line of their file
+    print_warnings(experiment, warnings);
+    if (explain) explain_fusion(experiment);
+    return warnings.size();
+}
+
+int check(const CheckOptions& options) {
     int exit_code = success;
-    for (const std::string& file : files) {
+    std::size_t warnings = 0;
+    for (const std::string& file : options.files) {
         try {
-            const Experiment experiment = parse_experiment_file(file);
-            validate(experiment);
-            fmt::print("{}: ok: {}, {}, {}, {}\n", file, counted(count_cells(experiment), "cell", "cells"),
-                       counted(experiment.chemicals.size(), "chemical", "chemicals"),
-                       counted(experiment.rules.size(), "rule", "rules"),
-                       counted(experiment.last_iteration(), "iteration", "iterations"));
-            if (!explain) continue;
-            for (const std::string& line : explain_lattice(experiment, initial_state(experiment), Precision::single_)) {
-                fmt::print("  {}\n", line);
-            }
+            warnings += check_file(file, options.explain);
         } catch (const Error& error) {
             fmt::print(stderr, "pelage: {}\n", error.what());
             exit_code = bad_input;
         }
     }
-    return exit_code;
+    return exit_code == success && options.strict && warnings > 0 ? failed_check : exit_code;
 }
 
 }  // namespace
 
 void add_check(CLI::App& app, int& exit_code) {
-    const auto files = std::make_shared<std::vector<std::string>>();
+    const auto options = std::make_shared<CheckOptions>();
     CLI::App* command = app.add_subcommand("check", "Read experiments and say what is wrong with them; run nothing");
-    command->add_option("FILE", *files, "Experiments (.pex)")->required()->type_name("");
-    const auto explain = std::make_shared<bool>(false);
-    command->add_flag("--explain", *explain,
+    command->add_option("FILE", options->files, "Experiments (.pex); - reads standard input")
+        ->required()
+        ->type_name("");
+    command->add_flag("--strict", options->strict, "Exit code 1 where there are warnings");
+    command->add_flag("--explain", options->explain,
                       "Say of lattices which iterations are fused on CPUs, and why others are not");
-    command->callback([files, explain, &exit_code] { exit_code = check(*files, *explain); });
+    command->callback([options, &exit_code] { exit_code = check(*options); });
 }
 
 }  // namespace pelage::app

@@ -1,10 +1,10 @@
 // See prepare.hpp.
 #include "app/prepare.hpp"
 
+#include "app/read_experiment.hpp"
 #include "core/error.hpp"
 #include "core/stability.hpp"
 #include "io/checkpoint.hpp"
-#include "language/parse.hpp"
 
 #include <fmt/format.h>
 #include <unistd.h>
@@ -66,10 +66,13 @@ Prepared prepare(const RunOptions& options) {
     std::optional<Checkpoint> checkpoint;
     if (!options.resume.empty()) checkpoint = read_checkpoint(options.resume);
     Experiment& experiment = prepared.experiment;
-    experiment = parse_experiment_file(options.file);
+    Outline outline;
+    experiment = read_experiment(options.file, &outline);
     if (options.seed) experiment.seed = options.seed;
     settle_seed(experiment, checkpoint);
     prepared.last = options.iterations.value_or(experiment.last_iteration());
+    // A run made shorter by --iterations is no mistake of the file's.
+    prepared.warnings = lint(experiment, outline, std::max(prepared.last, experiment.last_iteration()));
     if (checkpoint) {
         compare(*checkpoint, experiment, options, prepared.last);
         prepared.resumed = std::move(checkpoint->snapshot);

@@ -4,9 +4,11 @@
 #include "app/run_options.hpp"
 #include "core/experiment.hpp"
 #include "core/snapshot.hpp"
+#include "language/lint.hpp"
 
 #include <cstdint>
 #include <optional>
+#include <vector>
 
 namespace pelage::app {
 
@@ -14,6 +16,7 @@ struct Prepared {
     Experiment experiment;   // with --seed; a seed taken from the clock is written into it
     std::uint64_t last = 0;  // where the run ends
     std::optional<Snapshot> resumed;
+    std::vector<Warning> warnings;
 };
 
 // Throws Error when the file is wrong, or when a checkpoint belongs to another experiment, precision or seed, or lies

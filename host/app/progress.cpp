@@ -38,16 +38,6 @@ std::string clock_time(double seconds) {
     return fmt::format("{}:{:02}:{:02}", minutes / 60, minutes % 60, whole % 60);
 }
 
-std::string grouped(std::uint64_t number) {
-    const std::string digits = std::to_string(number);
-    std::string text;
-    for (std::size_t i = 0; i < digits.size(); ++i) {
-        if (i > 0 && (digits.size() - i) % 3 == 0) text += ',';
-        text += digits[i];
-    }
-    return text;
-}
-
 std::string progress_line(const std::string& phase, std::uint64_t iteration, std::uint64_t last, double seconds_left,
                           double updates_per_second, std::size_t width) {
     const double part = last == 0 ? 1.0 : static_cast<double>(iteration) / static_cast<double>(last);

@@ -1,6 +1,8 @@
 // How far a run has come: a bar on a terminal, a line now and then in a log. Speaks on standard error.
 #pragma once
 
+#include "core/counted.hpp"
+
 #include <chrono>
 #include <cstddef>
 #include <cstdint>
@@ -14,8 +16,8 @@ std::string megas(double updates_per_second);
 // "0:42", "12:05", "3:07:00".
 std::string clock_time(double seconds);
 
-// 242000 -> "242,000".
-std::string grouped(std::uint64_t);
+using pelage::counted;
+using pelage::grouped;
 
 class Progress {
 public:

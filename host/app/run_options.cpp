@@ -1,6 +1,8 @@
 // See run_options.hpp.
 #include "app/run_options.hpp"
 
+#include "app/read_experiment.hpp"
+
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
@@ -17,7 +19,8 @@ NeighbourSearch RunOptions::neighbour_search() const {
 }
 
 std::filesystem::path RunOptions::folder() const {
-    return out.empty() ? std::filesystem::path("out") / file.stem() : out;
+    if (!out.empty()) return out;
+    return std::filesystem::path("out") / (file == standard_input ? "stdin" : file.stem());
 }
 
 std::string shell_quoted(const std::string& word) {
@@ -57,7 +60,8 @@ std::string resume_command(const RunOptions& options, const std::filesystem::pat
     }
     add("--resume", checkpoint.string());
     std::transform(words.begin(), words.end(), words.begin(), shell_quoted);
-    return fmt::format("{}", fmt::join(words, " "));
+    const char* text = options.file == standard_input ? " < EXPERIMENT.pex" : "";
+    return fmt::format("{}{}", fmt::join(words, " "), text);
 }
 
 }  // namespace pelage::app

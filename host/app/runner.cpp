@@ -8,6 +8,7 @@
 #include "app/memory.hpp"
 #include "app/prepare.hpp"
 #include "app/progress.hpp"
+#include "app/read_experiment.hpp"
 #include "app/recorder.hpp"
 #include "app/self_check.hpp"
 #include "app/timetable.hpp"
@@ -20,6 +21,7 @@
 #include <chrono>
 #include <cstdio>
 #include <type_traits>
+#include <vector>
 
 namespace pelage::app {
 
@@ -212,6 +214,14 @@ void announce(const RunOptions& options, const Prepared& prepared, const Machine
     if (!machine.why.empty()) fmt::print(stderr, "not opencl: {}\n", machine.why);
 }
 
+void warn(const RunOptions& options, const Prepared& prepared) {
+    if (options.quiet) return;
+    std::vector<Warning> warnings = prepared.warnings;
+    // An unstable step ends the run with an error of its own.
+    if (!options.force) std::erase_if(warnings, [](const Warning& one) { return one.lint == "unstable"; });
+    print_warnings(prepared.experiment, warnings);
+}
+
 // Whether the device may be trusted with the run; says why not.
 bool trusted(const RunOptions& options, const Prepared& prepared, const Machine& machine, const Snapshot& start) {
     if (!machine.opencl || options.no_self_test) return true;
@@ -224,6 +234,7 @@ bool trusted(const RunOptions& options, const Prepared& prepared, const Machine&
 
 int run_experiment(const RunOptions& options) {
     const Prepared prepared = prepare(options);
+    warn(options, prepared);
     const Footprint needed = footprint(prepared.experiment, prepared.last, options.precision);
     check_host_memory(prepared.experiment, needed, host_memory());
     Machine machine = choose_machine(options, prepared.experiment, needed);

@@ -3,6 +3,7 @@
 #include "app/machine.hpp"
 #include "app/memory.hpp"
 #include "app/prepare.hpp"
+#include "app/read_experiment.hpp"
 #include "app/tune_table.hpp"
 #include "app/tuning.hpp"
 #include "core/error.hpp"
@@ -65,6 +66,9 @@ Tuning carried_out(const TuningJob& job, const TuneOptions& options) {
 }
 
 int tune_experiment(TuneOptions options) {
+    if (options.run.file == standard_input) {
+        throw Error("`tune` starts processes that read the experiment again: give a file, not standard input");
+    }
     options.run.backend = "opencl";
     prepare_json(options.json);
     const TuningJob job = job_of(options);

@@ -21,7 +21,18 @@ constexpr std::array statement_parsers{parse_define,   parse_use,    parse_creat
                                        parse_colormap, parse_output, parse_texture, parse_zoom};
 static_assert(statement_words.size() == statement_parsers.size());
 
-void parse_line(Script& script, std::size_t number, std::string_view line) {
+// The line to everything that has come with it.
+void note(Outline& outline, const Script& script, std::size_t line, std::string what) {
+    outline.statements.push_back({line, std::move(what), outline.phases.size()});
+    const Experiment& experiment = script.experiment;
+    outline.chemicals.resize(experiment.chemicals.size(), line);
+    outline.mappings.resize(experiment.mappings.size(), line);
+    outline.prepattern.resize(experiment.prepattern.size(), line);
+    outline.phases.resize(experiment.phases.size(), line);
+    outline.outputs.resize(script.outputs.size(), line);
+}
+
+void parse_line(Script& script, std::size_t number, std::string_view line, Outline* outline) {
     script.at_line(number);
     if (line.size() > largest_line) {
         throw error_at(script.experiment.source, {number, 1},
@@ -29,8 +40,12 @@ void parse_line(Script& script, std::size_t number, std::string_view line) {
     }
     Cursor cursor(script.experiment.source, number, line);
     if (cursor.done()) return;
+    Cursor again = cursor;
     statement_parsers[cursor.choose(statement_words)](script, cursor);
     cursor.finish();
+    if (outline == nullptr) return;
+    const Token& first = again.next();
+    note(*outline, script, number, fmt::format("{} {}", first.text, again.next().text));
 }
 
 void check_size(const std::string& source, std::size_t size) {
@@ -56,7 +71,7 @@ std::string read_text(const std::filesystem::path& path) {
 }  // namespace
 
 Experiment parse_experiment(const std::string& text, const std::string& source_name,
-                            const std::filesystem::path& folder) {
+                            const std::filesystem::path& folder, Outline* outline) {
     check_size(source_name, text.size());
     Script script(text, source_name, folder);
     std::string_view rest = text;
@@ -65,14 +80,14 @@ Experiment parse_experiment(const std::string& text, const std::string& source_n
         const std::size_t end = rest.find('\n');
         std::string_view line = rest.substr(0, end);
         if (line.ends_with('\r')) line.remove_suffix(1);
-        parse_line(script, number, line);
+        parse_line(script, number, line, outline);
         rest.remove_prefix(end == std::string_view::npos ? rest.size() : end + 1);
     }
     return script.finish();
 }
 
-Experiment parse_experiment_file(const std::filesystem::path& path) {
-    return parse_experiment(read_text(path), path.string(), path.parent_path());
+Experiment parse_experiment_file(const std::filesystem::path& path, Outline* outline) {
+    return parse_experiment(read_text(path), path.string(), path.parent_path(), outline);
 }
 
 }  // namespace pelage

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "core/experiment.hpp"
+#include "language/outline.hpp"
 
 #include <cstddef>
 #include <filesystem>
@@ -17,11 +18,11 @@ inline constexpr std::size_t largest_mapping_count = 64;  // each costs a number
 
 // Parses and validates. `source_name` stands in messages; names of pictures and shapes that are not absolute are
 // looked for in `folder`. Throws Error "SOURCE:LINE:COLUMN: what was found; what is allowed", columns counted in
-// characters from 1.
+// characters from 1. `outline` is told where everything stands; lint.hpp makes warnings of it.
 Experiment parse_experiment(const std::string& text, const std::string& source_name,
-                            const std::filesystem::path& folder);
+                            const std::filesystem::path& folder, Outline* outline = nullptr);
 
 // The same from a file; pictures and shapes are looked for beside it.
-Experiment parse_experiment_file(const std::filesystem::path&);
+Experiment parse_experiment_file(const std::filesystem::path&, Outline* = nullptr);
 
 }  // namespace pelage

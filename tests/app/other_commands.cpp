@@ -71,6 +71,48 @@ TEST_CASE("check reads all files and names every bad one") {
     CHECK(command({"check"}).exit_code == 2);
 }
 
+TEST_CASE("check warns of what hardly means what it says, and --strict fails on it") {
+    const Folder folder;
+    const std::string good = folder.write("good.pex", test::spots);
+    const std::string doubtful = folder.write("doubtful.pex", test::spots + "snap at 99\n");
+
+    const Outcome plain = command({"check", good, doubtful});
+    const Outcome strict = command({"check", "--strict", good, doubtful});
+
+    CHECK(plain.exit_code == 0);
+    CHECK_THAT(plain.out, Contains("good.pex: ok: 384 cells, 2 chemicals, 2 rules, 60 iterations\n"));
+    CHECK_THAT(plain.out, Contains("doubtful.pex: ok: 384 cells, 2 chemicals, 2 rules, 60 iterations; 1 warning\n"));
+    CHECK(plain.err == "pelage: " + doubtful +
+                           ":11:9: warning: the snapshot at 99 never comes: the run ends at 60 [late-snapshot]\n");
+    CHECK(strict.exit_code == 1);
+    CHECK(strict.err == plain.err);
+    CHECK(command({"check", "--strict", good}).exit_code == 0);
+    CHECK(command({"check", "--strict", doubtful, folder / "missing.pex"}).exit_code == 2);
+}
+
+TEST_CASE("check and run read an experiment from standard input, tune says that it cannot") {
+    const Folder folder;
+    test::Surroundings piped;
+    piped.folder = folder.path();
+    piped.input = test::spots;
+    test::Surroundings wrong = piped;
+    wrong.input = "define chemical\n";
+
+    const Outcome checked = command({"check", "-"}, piped);
+    const Outcome ran = command({"run", "-", "--backend", "reference", "--format", "csv"}, piped);
+    const Outcome refused = command({"run", "-"}, wrong);
+    const Outcome tuned = command({"tune", "-"}, piped);
+
+    CHECK_THAT(checked.out, Contains("standard input: ok: 384 cells"));
+    INFO(ran.err);
+    CHECK(ran.exit_code == 0);
+    CHECK(std::filesystem::exists(folder / "out/stdin/final.csv"));
+    CHECK(refused.exit_code == 2);
+    CHECK_THAT(refused.err, Contains("pelage: standard input:1:"));
+    CHECK(tuned.exit_code == 2);
+    CHECK_THAT(tuned.err, Contains("give a file, not standard input"));
+}
+
 TEST_CASE("every experiment of the house passes check") {
     std::vector<std::string> words{"check"};
     for (const auto& entry : std::filesystem::directory_iterator(PELAGE_SOURCE "/experiments")) {

@@ -25,7 +25,7 @@ constexpr std::chrono::milliseconds pause{2};
 // In the child, between fork and exec.
 [[noreturn]] void become(const std::vector<std::string>& words, const Surroundings& surroundings,
                          const std::filesystem::path& folder) {
-    const int in = open("/dev/null", O_RDONLY);
+    const int in = open((folder / "in").c_str(), O_RDONLY);
     const int out = open((folder / "out").c_str(), O_WRONLY | O_CREAT, 0600);
     const int err = open((folder / "err").c_str(), O_WRONLY | O_CREAT, 0600);
     dup2(in, STDIN_FILENO);
@@ -81,6 +81,7 @@ std::vector<std::string> names_in(const std::filesystem::path& folder) {
 
 Child::Child(const std::vector<std::string>& words, const Surroundings& surroundings)
     : patience_(surroundings.patience) {
+    (void)folder_.write("in", surroundings.input);
     id_ = fork();
     REQUIRE(id_ >= 0);
     if (id_ == 0) become(words, surroundings, folder_.path());

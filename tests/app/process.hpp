@@ -42,6 +42,7 @@ struct Surroundings {
     std::filesystem::path folder;                    // to start in; empty: the test's own
     std::size_t largest_file = 0;                    // bytes; writing more fails as on a full disk; 0: no limit
     std::chrono::seconds patience{120};              // how long it may take
+    std::string input;                               // what it reads from standard input
 };
 
 class Child {

@@ -197,6 +197,28 @@ TEST_CASE("option --quiet says nothing, and otherwise the run says what it runs 
     CHECK(loud.err.find('\x1b') == std::string::npos);  // no bar in a log
 }
 
+TEST_CASE("a run prints the warnings of its experiment once, and none with --quiet") {
+    const Folder folder;
+    const std::string file = folder.write("doubtful.pex", test::spots + "snap at 99\n");
+    const std::vector<std::string> run{"run",      file,  "--backend", "reference",
+                                       "--format", "csv", "--out",     folder / "out"};
+    const auto with = [&](const std::vector<std::string>& more) {
+        std::vector<std::string> words = run;
+        words.insert(words.end(), more.begin(), more.end());
+        return command(words);
+    };
+
+    const Outcome loud = with({});
+
+    CHECK(loud.exit_code == 0);
+    const std::size_t at = loud.err.find("doubtful.pex:11:9: warning: the snapshot at 99");
+    CHECK(at != std::string::npos);
+    CHECK(loud.err.find("warning:", loud.err.find("warning:") + 1) == std::string::npos);
+    CHECK(with({"--quiet"}).err.empty());
+    CHECK_THAT(with({"--iterations", "100"}).err, !Catch::Contains("warning"));  // it comes in a longer run
+    CHECK_THAT(with({"--iterations", "5"}).err, !Catch::Contains("ends at 5"));
+}
+
 TEST_CASE("the default backend is opencl where a device is, else the reference, and the run says which and why") {
     const Folder folder;
     const std::string file = folder.write("spots.pex", test::spots);

@@ -1,11 +1,14 @@
-// Fuzzer of the experiment parser: any bytes must give an Experiment or an Error, nothing else.
+// Fuzzer of the experiment parser: any bytes must give an Experiment, with or without warnings, or an Error, nothing
+// else.
 #include "core/error.hpp"
+#include "language/lint.hpp"
 #include "language/parse.hpp"
 
 #include <cstddef>
 #include <cstdint>
 #include <cstdlib>
 #include <string>
+#include <vector>
 
 namespace {
 
@@ -20,13 +23,23 @@ void check(const pelage::Experiment& experiment) {
     if (!sound) std::abort();
 }
 
+void check(const std::vector<pelage::Warning>& warnings) {
+    for (const pelage::Warning& one : warnings) {
+        if (one.line == 0 || one.column == 0 || one.text.empty()) std::abort();
+    }
+}
+
 }  // namespace
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
     const std::string text(reinterpret_cast<const char*>(data), size);
     if (names_a_real_file(text)) return -1;
     try {
-        check(pelage::parse_experiment(text, "fuzz.pex", "/folder/that/is/not/there"));
+        pelage::Outline outline;
+        const pelage::Experiment experiment =
+            pelage::parse_experiment(text, "fuzz.pex", "/folder/that/is/not/there", &outline);
+        check(experiment);
+        check(lint(experiment, outline, experiment.last_iteration()));
     } catch (const pelage::Error& error) {
         if (std::string(error.what()).rfind("fuzz.pex", 0) != 0) std::abort();
     }

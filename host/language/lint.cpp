@@ -1,0 +1,86 @@
+// See lint.hpp: the table of lints, and what they share.
+#include "language/lint.hpp"
+
+#include "language/lints.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <tuple>
+
+namespace pelage {
+
+namespace language {
+
+namespace {
+
+struct Entry {
+    std::string_view name;
+    Lint find;
+};
+
+constexpr std::array lints{Entry{"idle-rule", find_idle_rules},
+                           Entry{"impossible", find_impossible_conditions},
+                           Entry{"dangling-and", find_dangling_and},
+                           Entry{"idle-phase", find_idle_phases},
+                           Entry{"late-snapshot", find_late_snapshots},
+                           Entry{"repeated", find_repeated_settings},
+                           Entry{"unstable", find_unstable_steps},
+                           Entry{"late-use", find_late_uses},
+                           Entry{"outside", find_cells_outside},
+                           Entry{"no-shape", find_shapes_that_are_none},
+                           Entry{"unused-chemical", find_unused_chemicals},
+                           Entry{"unused-mapping", find_unused_mappings},
+                           Entry{"unused-colour", find_unused_colours},
+                           Entry{"equal-outputs", find_equal_outputs}};
+
+std::vector<std::string_view> lines_of(std::string_view text) {
+    std::vector<std::string_view> lines;
+    if (text.starts_with("\xef\xbb\xbf")) text.remove_prefix(3);  // byte order mark of UTF-8
+    while (!text.empty()) {
+        const std::size_t end = std::min(text.find('\n'), text.size());
+        std::string_view line = text.substr(0, end);
+        if (line.ends_with('\r')) line.remove_suffix(1);
+        lines.push_back(line);
+        text.remove_prefix(std::min(end + 1, text.size()));
+    }
+    return lines;
+}
+
+}  // namespace
+
+Sheet::Sheet(const Experiment& experiment_, const Outline& outline_, std::uint64_t last_)
+    : experiment(experiment_), outline(outline_), last(last_), lines_(lines_of(experiment_.text)) {}
+
+Cursor Sheet::read(std::size_t line) const { return {experiment.source, line, lines_[line - 1]}; }
+
+Place Sheet::place(std::size_t line, std::string_view word) const {
+    Cursor words = read(line);
+    const Place first = words.place(words.peek());
+    while (!words.done()) {
+        const Token& token = words.next();
+        if (token.text == word) return words.place(token);
+    }
+    return first;
+}
+
+}  // namespace language
+
+std::vector<Warning> lint(const Experiment& experiment, const Outline& outline, std::uint64_t last) {
+    const language::Sheet sheet(experiment, outline, last);
+    std::vector<Warning> warnings;
+    for (const language::Entry& entry : language::lints) {
+        language::Reporter report(entry.name, warnings);
+        entry.find(sheet, report);
+    }
+    std::ranges::stable_sort(warnings, {}, [](const Warning& one) { return std::tuple(one.line, one.column); });
+    return warnings;
+}
+
+std::string shown(const Experiment& experiment, const Warning& warning) {
+    return fmt::format("{}:{}:{}: warning: {} [{}]", experiment.source, warning.line, warning.column, warning.text,
+                       warning.lint);
+}
+
+}  // namespace pelage

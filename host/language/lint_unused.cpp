@@ -1,0 +1,131 @@
+// Lints of what is described and not needed: chemicals, mappings, colours, pictures.
+#include "language/lints.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <set>
+
+namespace pelage::language {
+
+namespace {
+
+// What the rules, all of them, touch.
+class Uses {
+public:
+    explicit Uses(const Experiment& experiment) {
+        for (const Rule& rule : experiment.rules) {
+            std::visit([&](const auto& condition) { look(condition); }, rule.condition);
+            std::visit([&](const auto& action) { look(action); }, rule.action);
+        }
+    }
+    std::set<std::size_t> chemicals;
+    std::set<std::size_t> mappings;  // that are read
+
+private:
+    void read(const Operand& operand) {
+        if (operand.quantity == Quantity::mapping) mappings.insert(operand.index);
+        if (operand.quantity == Quantity::concentration || operand.quantity == Quantity::rate)
+            chemicals.insert(operand.index);
+    }
+    void look(const Always&) {}
+    void look(const Compare& compare) {
+        read(compare.left);
+        read(compare.right);
+    }
+    void look(const Within& within) {
+        read(within.value);
+        read(within.low);
+        read(within.high);
+    }
+    void look(const Probability& probability) { read(probability.chance); }
+    void look(const React& react) {
+        chemicals.insert({react.u, react.v});
+        read(react.scale);
+        for (const Operand& parameter : react.parameters) read(parameter);
+    }
+    void look(const Change& change) {
+        chemicals.insert(change.chemical);
+        read(change.amount);
+    }
+    void look(const Set& set) {
+        chemicals.insert(set.chemical);
+        read(set.value);
+    }
+    void look(const Map& map) { read(map.value); }
+    void look(const Polarize& polarize) { chemicals.insert(polarize.chemical); }
+    void look(const Divide& divide) { read(divide.direction); }
+    void look(const Move& move) { read(move.distance); }
+    void look(const And&) {}
+    void look(const Expand&) {}
+};
+
+bool equal(const Colormap& one, const Colormap& other) {
+    return one.name == other.name &&
+           std::ranges::equal(one.stops, other.stops,
+                              [](const ColourStop& a, const ColourStop& b) { return a.at == b.at && a.rgb == b.rgb; });
+}
+
+}  // namespace
+
+void find_unused_chemicals(const Sheet& sheet, Reporter& report) {
+    const Uses uses(sheet.experiment);
+    for (std::size_t i = 0; i < sheet.experiment.chemicals.size(); ++i) {
+        const bool drawn =
+            std::ranges::any_of(sheet.experiment.outputs, [&](const Output& output) { return output.chemical == i; });
+        if (drawn || uses.chemicals.count(i) > 0) continue;
+        const std::string& name = sheet.experiment.chemicals[i].name;
+        report(sheet.place(sheet.outline.chemicals[i], name),
+               fmt::format("no rule and no output names chemical '{}'", name));
+    }
+}
+
+void find_unused_mappings(const Sheet& sheet, Reporter& report) {
+    const Uses uses(sheet.experiment);
+    for (std::size_t i = 0; i < sheet.experiment.mappings.size(); ++i) {
+        if (uses.mappings.count(i) > 0) continue;
+        const std::string& name = sheet.experiment.mappings[i];
+        report(sheet.place(sheet.outline.mappings[i], name), fmt::format("no rule reads the mapping '{}'", name));
+    }
+}
+
+void find_unused_colours(const Sheet& sheet, Reporter& report) {
+    const bool slots_drawn = std::ranges::any_of(sheet.experiment.outputs, [](const Output& output) {
+        return output.colormap.name == "gradient" || output.colormap.name == "striped";
+    });
+    const auto has_own_map = [&](std::size_t line) {
+        Cursor words = sheet.read(line);
+        while (!words.done() && !words.take("colormap")) words.next();
+        return !words.done();
+    };
+    const bool selection_drawn =
+        sheet.outline.outputs.empty() || !std::ranges::all_of(sheet.outline.outputs, has_own_map);
+    bool told = slots_drawn;  // once for all slots
+    for (const Outline::Statement& statement : sheet.outline.statements) {
+        if (statement.what == "colormap select" && !selection_drawn) {
+            report(sheet.place(statement.line),
+                   "every output has a colormap of its own, so the selected one is not used");
+        } else if (statement.what == "colormap slot" && !told) {
+            told = true;
+            report(sheet.place(statement.line),
+                   "no picture uses the slots; they make the maps 'gradient' and 'striped', as in "
+                   "'colormap select gradient'");
+        }
+    }
+}
+
+void find_equal_outputs(const Sheet& sheet, Reporter& report) {
+    const std::vector<Output>& outputs = sheet.experiment.outputs;
+    for (std::size_t i = 1; i < sheet.outline.outputs.size(); ++i) {
+        for (std::size_t k = 0; k < i; ++k) {
+            const bool same = outputs[i].chemical == outputs[k].chemical && outputs[i].range == outputs[k].range &&
+                              equal(outputs[i].colormap, outputs[k].colormap);
+            if (!same) continue;
+            report(sheet.place(sheet.outline.outputs[i]),
+                   fmt::format("line {} draws the same picture", sheet.outline.outputs[k]));
+            break;
+        }
+    }
+}
+
+}  // namespace pelage::language
