@@ -66,6 +66,10 @@ private:
     void do_expand(const Insertion&) override {
         throw Error("only a lattice can be expanded; this tissue has free cells");
     }
+
+    void do_resample(const Resampling&) override {
+        throw Error("only a lattice can be expanded; this tissue has free cells");
+    }
     void do_set_rate(std::size_t chemical, double rate) override {
         std::ranges::fill(old_.diff[chemical], static_cast<T>(rate));
     }

@@ -23,6 +23,16 @@ struct Growth {
         return old_row * columns + old_column;
     }
 
+    bool newborn(std::size_t column, std::size_t row) const {
+        return insertion.column ? column == insertion.picks[row] + 1 : row == insertion.picks[column] + 1;
+    }
+
+    void mark_newborn(std::vector<std::int32_t>& birth, std::uint64_t iteration) const {
+        for (std::size_t cell = 0; cell < birth.size(); ++cell) {
+            if (newborn(cell % new_columns(), cell / new_columns())) birth[cell] = static_cast<std::int32_t>(iteration);
+        }
+    }
+
     template <class V>
     void apply(std::vector<V>& field) const {
         std::vector<V> grown(new_columns() * new_rows());
@@ -50,7 +60,19 @@ T place(double origin, std::size_t index, std::size_t count) {
 }  // namespace
 
 template <class T>
-void expand_state(State<T>& state, const Insertion& insertion) {
+void lay_out(State<T>& state, std::size_t columns, std::size_t rows) {
+    state.columns = columns;
+    state.rows = rows;
+    state.x.resize(columns * rows);
+    state.y.resize(columns * rows);
+    for (std::size_t cell = 0; cell < state.x.size(); ++cell) {
+        state.x[cell] = place<T>(state.origin_x, cell % columns, columns);
+        state.y[cell] = place<T>(state.origin_y, cell / columns, rows);
+    }
+}
+
+template <class T>
+void expand_state(State<T>& state, const Insertion& insertion, std::uint64_t iteration) {
     const Growth growth{state.columns, state.rows, insertion};
     growth.apply_all(state.conc);
     growth.apply_all(state.diff);
@@ -60,17 +82,13 @@ void expand_state(State<T>& state, const Insertion& insertion) {
     growth.apply(state.birth);
     growth.apply(state.neighbours);
     growth.apply(state.fixed);
-    state.columns = growth.new_columns();
-    state.rows = growth.new_rows();
-    state.x.resize(state.columns * state.rows);
-    state.y.resize(state.columns * state.rows);
-    for (std::size_t cell = 0; cell < state.x.size(); ++cell) {
-        state.x[cell] = place<T>(state.origin_x, cell % state.columns, state.columns);
-        state.y[cell] = place<T>(state.origin_y, cell / state.columns, state.rows);
-    }
+    growth.mark_newborn(state.birth, iteration);
+    lay_out(state, growth.new_columns(), growth.new_rows());
 }
 
-template void expand_state(State<float>&, const Insertion&);
-template void expand_state(State<double>&, const Insertion&);
+template void lay_out(State<float>&, std::size_t, std::size_t);
+template void lay_out(State<double>&, std::size_t, std::size_t);
+template void expand_state(State<float>&, const Insertion&, std::uint64_t);
+template void expand_state(State<double>&, const Insertion&, std::uint64_t);
 
 }  // namespace pelage::reference

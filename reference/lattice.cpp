@@ -4,6 +4,7 @@
 #include "core/lattice.hpp"
 #include "reference/exchange.hpp"
 #include "reference/expansion.hpp"
+#include "reference/resample.hpp"
 #include "reference/rules.hpp"
 
 #include <cmath>
@@ -31,7 +32,12 @@ private:
     }
 
     void do_expand(const Insertion& insertion) override {
-        expand_state(state_, insertion);
+        expand_state(state_, insertion, iteration());
+        reshape();
+    }
+
+    void do_resample(const Resampling& resampling) override {
+        resample_state(state_, resampling, experiment().phase_at(iteration()).bounds);
         reshape();
     }
 

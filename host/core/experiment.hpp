@@ -168,9 +168,11 @@ struct Move {  // along polarity, in units of cell radius
 struct And {};  // the next rule acts only where this condition holds too
 
 enum class Distribution { shuffled, uniform, normal, triangular };  // 2020 paper, figure 3
+enum class Interpolation { nearest, bilinear, bicubic };
 
 // Matrix expansion: inserts `columns` columns, then `rows` rows (or rows first), each by duplicating one
-// element of every row (column) in place and shifting its successors by one.
+// element of every row (column) in place and shifting its successors by one. The duplicate is born then. With
+// `interpolation` the matrix is stretched to that size instead, and nothing is drawn or born.
 struct Expand {
     std::size_t columns = 0;
     std::size_t rows = 0;
@@ -181,6 +183,7 @@ struct Expand {
     double band_low = 0.0;
     double band_high = 0.0;
     bool band_rows = true;  // the band is one of rows (weighs row insertion), else of columns
+    std::optional<Interpolation> interpolation = std::nullopt;  // 2020 paper, figure 22
 };
 
 using Action = std::variant<React, Change, Set, Map, Polarize, Divide, Move, And, Expand>;

@@ -4,6 +4,7 @@
 #include "core/error.hpp"
 #include "core/prepattern.hpp"
 #include "core/schedule.hpp"
+#include "core/space.hpp"
 
 #include <fmt/format.h>
 
@@ -84,6 +85,10 @@ void Tissue::begin_iteration() {
     for (std::size_t rule = 0; rule < experiment_->rules.size(); ++rule) {
         const auto* growth = std::get_if<Expand>(&experiment_->rules[rule].action);
         if (growth == nullptr || !experiment_->rules[rule].active(iteration_)) continue;
+        if (growth->interpolation) {
+            stretch(*growth);
+            continue;
+        }
         for (std::size_t nth = 0; nth < growth->columns + growth->rows; ++nth) {
             const bool column = growth->rows_first ? nth >= growth->rows : nth < growth->columns;
             insert(draw_insertion(*growth, column, columns_, rows_, experiment_->run_seed(), iteration_, rule, nth));
@@ -106,17 +111,30 @@ void Tissue::expand(const Insertion& insertion) {
     insert(insertion);
 }
 
+void Tissue::check_room(std::size_t columns, std::size_t rows) const {
+    if (rows <= largest_cell_count / columns) return;
+    throw Error(
+        fmt::format("growth past {} cells at iteration {}; no more can be addressed", largest_cell_count, iteration_));
+}
+
 void Tissue::insert(const Insertion& insertion) {
-    const std::size_t added = insertion.picks.size();
-    if (cells() + added > largest_cell_count) {
-        throw Error(fmt::format("growth past {} cells at iteration {}; no more can be addressed", largest_cell_count,
-                                iteration_));
-    }
+    check_room(columns_ + (insertion.column ? 1 : 0), rows_ + (insertion.column ? 0 : 1));
     const bool within_advance = lost_;
     lost_ = true;
     do_expand(insertion);
     lost_ = within_advance;
     (insertion.column ? columns_ : rows_) += 1;
+}
+
+void Tissue::stretch(const Expand& growth) {
+    const std::size_t columns = columns_ + growth.columns;
+    const std::size_t rows = rows_ + growth.rows;
+    check_room(columns, rows);
+    const bool wrap = std::get<Lattice>(space_of(*experiment_)).boundary == Boundary::wrap;
+    do_resample(
+        {sampling(*growth.interpolation, wrap, columns_, columns), sampling(*growth.interpolation, wrap, rows_, rows)});
+    columns_ = columns;
+    rows_ = rows;
 }
 
 Snapshot Tissue::read() const {

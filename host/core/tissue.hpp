@@ -4,6 +4,7 @@
 #include "core/experiment.hpp"
 #include "core/growth.hpp"
 #include "core/neighbours.hpp"
+#include "core/resampling.hpp"
 #include "core/snapshot.hpp"
 
 #include <cstddef>
@@ -64,7 +65,8 @@ private:
     virtual std::size_t do_cells() const = 0;
     // Iterations first .. first + count - 1; no expansion and no phase begins after `first` among them.
     virtual void do_advance(std::uint64_t first, std::uint64_t count) = 0;
-    virtual void do_expand(const Insertion&) = 0;
+    virtual void do_expand(const Insertion&) = 0;  // the duplicates are born in iteration()
+    virtual void do_resample(const Resampling&) = 0;
     virtual void do_set_rate(std::size_t chemical, double rate) = 0;  // of every cell
     virtual Snapshot do_read() const = 0;                             // iteration is filled in by read()
     virtual void do_write(const Snapshot&) = 0;
@@ -72,6 +74,8 @@ private:
 
     void begin_iteration();
     void insert(const Insertion&);
+    void stretch(const Expand&);  // by interpolation
+    void check_room(std::size_t columns, std::size_t rows) const;
     void check_whole() const;
 
     std::shared_ptr<const Experiment> experiment_;

@@ -193,6 +193,9 @@ private:
         if (expand.distribution == Distribution::shuffled && expand.band_weight != 1.0) {
             fail("a shuffled distribution picks every place equally often and takes no weight");
         }
+        const bool draws =
+            expand.rows_first || expand.distribution != Distribution::uniform || expand.band_weight != 1.0;
+        if (expand.interpolation && draws) fail("an interpolation takes no order, no distribution and no weight");
     }
 
     const Experiment& experiment_;

@@ -148,16 +148,33 @@ void parse_weight(Cursor& cursor, Expand& expand) {
     if (expand.band_high < expand.band_low) cursor.fail(high, "the band's high end is below its low end");
 }
 
+void check_expand(Cursor& cursor, const Expand& expand, const Options& given, const Token& at, const Token& weight) {
+    if (expand.columns + expand.rows == 0)
+        cursor.fail(at, "'expand' inserts nothing; give 'columns INT' or 'rows INT'");
+    if (expand.interpolation && (given.given(2) || given.given(3) || given.given(4)))
+        cursor.fail(at, "'by' stretches the matrix and draws nothing; leave out 'first', 'distribution' and 'weight'");
+    if (!given.given(4)) return;
+    if (expand.distribution == Distribution::shuffled) {
+        cursor.fail(weight, "'shuffled' picks every place equally often; 'weight' needs another distribution");
+    }
+    if (expand.band_rows ? expand.rows == 0 : expand.columns == 0) {
+        cursor.fail(weight, fmt::format("'weight ... {0}' weighs the insertion of {0}; give '{0} INT'",
+                                        expand.band_rows ? "rows" : "columns"));
+    }
+}
+
 Action parse_expand(Cursor& cursor, const Token& at) {
-    static constexpr std::array<std::string_view, 5> words{"columns", "rows", "first", "distribution", "weight"};
+    static constexpr std::array<std::string_view, 6> words{"columns", "rows", "first", "distribution", "weight", "by"};
     static constexpr std::array<std::string_view, 2> order{"columns", "rows"};
     static constexpr std::array<std::string_view, 4> names{"uniform", "shuffled", "normal", "triangular"};
     static constexpr std::array distributions{Distribution::uniform, Distribution::shuffled, Distribution::normal,
                                               Distribution::triangular};
+    static constexpr std::array<std::string_view, 3> ways{"nearest", "bilinear", "bicubic"};
+    static constexpr std::array interpolations{Interpolation::nearest, Interpolation::bilinear, Interpolation::bicubic};
     constexpr std::uint64_t most = 1000;  // at a time, as validate() has it
     Expand expand;
     Options options(words);
-    const Token* weight = nullptr;
+    const Token* weight = &at;
     while (true) {
         const Token& token = cursor.peek();
         const auto option = options.next(cursor);
@@ -175,21 +192,15 @@ Action parse_expand(Cursor& cursor, const Token& at) {
             case 3:
                 expand.distribution = distributions[cursor.choose(names)];
                 break;
-            default:
+            case 4:
                 weight = &token;
                 parse_weight(cursor, expand);
+                break;
+            default:
+                expand.interpolation = interpolations[cursor.choose(ways)];
         }
     }
-    if (expand.columns + expand.rows == 0)
-        cursor.fail(at, "'expand' inserts nothing; give 'columns INT' or 'rows INT'");
-    if (weight != nullptr && expand.distribution == Distribution::shuffled) {
-        cursor.fail(*weight, "'shuffled' picks every place equally often; 'weight' needs another distribution");
-    }
-    const bool weighs_nothing = expand.band_rows ? expand.rows == 0 : expand.columns == 0;
-    if (weight != nullptr && weighs_nothing) {
-        cursor.fail(*weight, fmt::format("'weight ... {0}' weighs the insertion of {0}; give '{0} INT'",
-                                         expand.band_rows ? "rows" : "columns"));
-    }
+    check_expand(cursor, expand, options, at, *weight);
     return expand;
 }
 

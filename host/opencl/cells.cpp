@@ -63,6 +63,9 @@ private:
     void do_expand(const Insertion&) override {
         throw Error("only a lattice can be expanded; this tissue has free cells");
     }
+    void do_resample(const Resampling&) override {
+        throw Error("only a lattice can be expanded; this tissue has free cells");
+    }
     void do_set_rate(std::size_t chemical, double rate) override {
         with_device(session_->info().name, [&] { state_.fill_rate(chemical, rate); });
     }

@@ -75,7 +75,13 @@ private:
     }
 
     void do_expand(const Insertion& insertion) override {
-        with_device(session_->info().name, [&] { state_->expand(insertion); });
+        with_device(session_->info().name, [&] { state_->expand(insertion, iteration()); });
+        counted_ = false;
+    }
+
+    void do_resample(const Resampling& resampling) override {
+        with_device(session_->info().name,
+                    [&] { state_->stretch(resampling, experiment().phase_at(iteration()).bounds); });
         counted_ = false;
     }
 

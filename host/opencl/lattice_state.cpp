@@ -47,6 +47,7 @@ LatticeState::LatticeState(const Session& session, const Experiment& experiment,
       birth_(session, "birth", reads_birth(use) ? 1 : 0, true),
       neighbours_(session, "neighbour counts", use.quantities.contains(Quantity::neighbours) ? 1 : 0, true),
       expander_(session),
+      resampler_(session),
       origin_x_(initial.origin_x),
       origin_y_(initial.origin_y),
       mirrors_(initial.mirrors) {
@@ -119,24 +120,55 @@ void LatticeState::counted() {
     }
 }
 
-void LatticeState::expand(const Insertion& insertion) {
+void LatticeState::forget_counts() {
     if (counted_ && neighbours_.planes() == 0) kept_neighbours_.take(count_neighbours());
     counted_ = false;
     ++rates_version_;
-    const Grid after = grid_.grown(insertion.column);
-    expander_.prepare(insertion);
-    for (Planes* planes : {&conc_, &rates_, &polarity_, &mappings_, &birth_, &neighbours_}) {
-        if (planes->planes() > 0) planes->expand(expander_, grid_, after);
-    }
-    kept_polarity_x_.insert(grid_, insertion);
-    kept_polarity_y_.insert(grid_, insertion);
-    kept_birth_.insert(grid_, insertion);
-    kept_neighbours_.insert(grid_, insertion);
-    kept_fixed_.insert(grid_, insertion);
-    grid_ = after;
+}
+
+void LatticeState::lay_out(const Grid& grid) {
+    grid_ = grid;
     x_ = centres(origin_x_, grid_.columns);
     y_ = centres(origin_y_, grid_.rows);
     upload_places();
+}
+
+void LatticeState::expand(const Insertion& insertion, std::uint64_t iteration) {
+    forget_counts();
+    const Grid after = grid_.grown(insertion.column);
+    const auto birth = static_cast<std::int32_t>(iteration);
+    expander_.prepare(insertion);
+    for (Planes* planes : {&conc_, &rates_, &polarity_, &mappings_, &birth_, &neighbours_}) {
+        if (planes->planes() == 0) continue;
+        planes->regrow(after, [&](const cl::Buffer& from, const cl::Buffer& to) {
+            expander_.apply(from, to, grid_, planes->planes(), planes->integers(),
+                            planes == &birth_ ? std::optional(birth) : std::nullopt);
+        });
+    }
+    kept_polarity_x_.insert(grid_, insertion);
+    kept_polarity_y_.insert(grid_, insertion);
+    if (birth_.planes() == 0) kept_birth_.insert(grid_, insertion, birth);
+    kept_neighbours_.insert(grid_, insertion);
+    kept_fixed_.insert(grid_, insertion);
+    lay_out(after);
+}
+
+void LatticeState::stretch(const Resampling& resampling, const std::vector<Bounds>& bounds) {
+    forget_counts();
+    resampler_.prepare(resampling, bounds);
+    for (Planes* planes : {&conc_, &rates_, &polarity_, &mappings_, &birth_, &neighbours_}) {
+        if (planes->planes() == 0) continue;
+        planes->regrow(resampler_.after(), [&](const cl::Buffer& from, const cl::Buffer& to) {
+            if (planes == &conc_) return resampler_.interpolate(from, to, grid_, planes->planes());
+            resampler_.take_nearest(from, to, grid_, planes->planes(), planes->integers());
+        });
+    }
+    kept_polarity_x_.stretch(grid_, resampling);
+    kept_polarity_y_.stretch(grid_, resampling);
+    kept_birth_.stretch(grid_, resampling);
+    kept_neighbours_.stretch(grid_, resampling);
+    kept_fixed_.stretch(grid_, resampling);
+    lay_out(resampler_.after());
 }
 
 Snapshot LatticeState::read() const {

@@ -5,6 +5,7 @@
 #include "core/snapshot.hpp"
 #include "opencl/emit_rules.hpp"
 #include "opencl/kept_field.hpp"
+#include "opencl/plane_resampler.hpp"
 #include "opencl/planes.hpp"
 
 #include <cstdint>
@@ -38,10 +39,13 @@ public:
     // its place.
     void counted();
 
-    void expand(const Insertion&);
+    void expand(const Insertion&, std::uint64_t iteration);
+    void stretch(const Resampling&, const std::vector<Bounds>&);  // bounds: one a chemical
     Snapshot read() const;
 
 private:
+    void forget_counts();  // before a change of size
+    void lay_out(const Grid&);
     void upload_places();
     std::vector<std::int32_t> count_neighbours() const;
 
@@ -56,6 +60,7 @@ private:
     Planes birth_;
     Planes neighbours_;
     PlaneExpander expander_;
+    PlaneResampler resampler_;
     cl::Buffer places_;
     std::size_t places_capacity_ = 0;
     std::vector<double> uniform_rates_;

@@ -32,7 +32,7 @@ void PlaneExpander::prepare(const Insertion& insertion) {
 }
 
 void PlaneExpander::apply(const cl::Buffer& from, const cl::Buffer& to, const Grid& grid, std::size_t planes,
-                          bool integers) {
+                          bool integers, std::optional<std::int32_t> birth) {
     const Grid after = grid.grown(by_column_);
     cl::Kernel& kernel = integers ? integers_ : scalars_;
     if (kernel() == nullptr) kernel = expand_kernel(session_, integers ? "int" : "scalar");
@@ -45,12 +45,18 @@ void PlaneExpander::apply(const cl::Buffer& from, const cl::Buffer& to, const Gr
     kernel.setArg(6, static_cast<cl_int>(grid.pitch()));
     kernel.setArg(7, static_cast<cl_int>(after.pitch()));
     kernel.setArg(8, static_cast<cl_int>(planes));
-    const bool strips = session_.info().type == "cpu" && !session_.info().software_rasteriser();
-    const std::size_t width = strips ? 1 : std::clamp<std::size_t>(session_.info().max_work_group, 1, 64);
-    const std::size_t across = strips ? 1 : (after.pitch() + width - 1) / width * width;
+    kernel.setArg(9, static_cast<cl_int>(birth.has_value()));
+    kernel.setArg(10, static_cast<cl_int>(birth.value_or(0)));
+    launch_over_rows(session_, kernel, after);
+}
+
+void launch_over_rows(const Session& session, const cl::Kernel& kernel, const Grid& grid) {
+    const bool strips = session.info().type == "cpu" && !session.info().software_rasteriser();
+    const std::size_t width = strips ? 1 : std::clamp<std::size_t>(session.info().max_work_group, 1, 64);
+    const std::size_t across = strips ? 1 : (grid.pitch() + width - 1) / width * width;
     const std::size_t up =
-        strips ? std::min<std::size_t>(after.rows + 1, 4 * session_.info().compute_units) : after.rows + 1;
-    session_.launch(kernel, cl::NDRange(across, up), cl::NDRange(width, 1));
+        strips ? std::min<std::size_t>(grid.rows + 1, 4 * session.info().compute_units) : grid.rows + 1;
+    session.launch(kernel, cl::NDRange(across, up), cl::NDRange(width, 1));
 }
 
 Planes::Planes(const Session& session, std::string what, std::size_t planes, bool integers)
@@ -125,17 +131,17 @@ void Planes::resize(const Grid& grid) {
     next_stale_ = true;
 }
 
-void Planes::expand(PlaneExpander& expander, const Grid& before, const Grid& after) {
+void Planes::regrow(const Grid& after, const std::function<void(const cl::Buffer&, const cl::Buffer&)>& move) {
     grid_ = after;
     if (elements(after) > capacity_) {
         const cl::Buffer old = now_;
         reserve(elements(after));
         poison_planes(now_);
-        expander.apply(old, now_, before, planes_, integers_);
+        move(old, now_);
     } else {
         if (next_() == nullptr) next_ = roomy(elements(after));
         poison_planes(next_);
-        expander.apply(now_, next_, before, planes_, integers_);
+        move(now_, next_);
         swap();
         next_stale_ = true;
     }

@@ -6,6 +6,8 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <functional>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -27,9 +29,11 @@ class PlaneExpander {
 public:
     explicit PlaneExpander(const Session& session) : session_(session) {}
 
-    // Makes the picks known to the device; then apply() moves planes of `grid` from one buffer to another.
+    // Makes the picks known to the device; then apply() moves planes of `grid` from one buffer to another. With
+    // `birth` the planes hold births, and that is the duplicates'.
     void prepare(const Insertion&);
-    void apply(const cl::Buffer& from, const cl::Buffer& to, const Grid&, std::size_t planes, bool integers);
+    void apply(const cl::Buffer& from, const cl::Buffer& to, const Grid&, std::size_t planes, bool integers,
+               std::optional<std::int32_t> birth);
 
 private:
     const Session& session_;
@@ -39,6 +43,10 @@ private:
     std::size_t capacity_ = 0;
     bool by_column_ = true;
 };
+
+// One work-item a column and a row of `grid`, its pitch and the row of zeros below it included; on a CPU fewer, which
+// go through several.
+void launch_over_rows(const Session&, const cl::Kernel&, const Grid&);
 
 // `planes` planes of one element type, with a second set to write the next state to, made when first needed.
 class Planes {
@@ -50,8 +58,11 @@ public:
     const cl::Buffer& next();  // with zeros where a plane has no cells
     void swap() { std::swap(now_, next_); }
 
+    bool integers() const { return integers_; }
+
     void resize(const Grid&);  // contents are lost
-    void expand(PlaneExpander&, const Grid& before, const Grid& after);
+    // Makes planes of another size out of the present ones: move(from, to) fills the second buffer from the first.
+    void regrow(const Grid& after, const std::function<void(const cl::Buffer&, const cl::Buffer&)>& move);
 
     // values[plane][cell]; double for scalars whatever the precision.
     template <class V>

@@ -218,6 +218,15 @@ std::vector<Case> growth_cases() {
     const Expand shuffled = expansion(0, 3, Distribution::shuffled);
     const Expand normal = expansion(1, 1, Distribution::normal);
     const Expand triangular = expansion(3, 0, Distribution::triangular);
+    const auto stretched = [](std::size_t columns, std::size_t rows, Interpolation interpolation) {
+        Expand growth = expansion(columns, rows, Distribution::uniform);
+        growth.interpolation = interpolation;
+        return growth;
+    };
+    const std::vector<Size> few{{1, 1}, {5, 3}, {31, 7}};
+    const Expand nearest = stretched(2, 1, Interpolation::nearest);
+    const Expand bilinear = stretched(1, 3, Interpolation::bilinear);
+    const Expand bicubic = stretched(3, 1, Interpolation::bicubic);
     const auto grown = [](Boundary boundary, Expand first, Expand second) {
         return [=](Size size) { return growing(plain(size, boundary), first, second); };
     };
@@ -230,6 +239,10 @@ std::vector<Case> growth_cases() {
         {"growth/absorbing", grown(Boundary::absorbing, triangular, weighted), sizes, 24, growing_touch, true},
         {"growth/plain/no-flux", simple(Boundary::no_flux, weighted), sizes, 30, growing_touch, true},
         {"growth/plain/absorbing", simple(Boundary::absorbing, triangular), sizes, 30, growing_touch, true},
+        {"growth/by/wrap", grown(Boundary::wrap, bicubic, weighted), few, 12, growing_touch, true},
+        {"growth/by/no-flux", grown(Boundary::no_flux, bilinear, nearest), few, 12, growing_touch, true},
+        {"growth/by/absorbing", grown(Boundary::absorbing, nearest, bicubic), few, 12, growing_touch, true},
+        {"growth/by/plain", simple(Boundary::wrap, bicubic), few, 12, growing_touch, true},
     };
 }
 

@@ -26,7 +26,7 @@ constexpr std::uint64_t quick_iterations = 50;
 constexpr std::size_t many_sizes = 10;
 
 // The cases that the quick form runs: each kernel path once, in the fewest programs.
-constexpr std::array<std::string_view, 19> quick_cases{"diffusion/nine-point/no-flux",
+constexpr std::array<std::string_view, 20> quick_cases{"diffusion/nine-point/no-flux",
                                                        "diffusion/nine-point/wrap",
                                                        "diffusion/nine-point/absorbing",
                                                        "diffusion/moore/wrap",
@@ -44,6 +44,7 @@ constexpr std::array<std::string_view, 19> quick_cases{"diffusion/nine-point/no-
                                                        "rules/draws/fused",
                                                        "rules/chains/published",
                                                        "growth/plain/absorbing",
+                                                       "growth/by/wrap",
                                                        "sizes/many-rows"};
 // Of these also with a second work-group size, and fused.
 constexpr std::array<std::string_view, 2> quick_groups{"diffusion/nine-point/no-flux", "diffusion/published/open"};

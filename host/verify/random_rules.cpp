@@ -144,6 +144,10 @@ std::string expand(Draft& draft) {
     std::vector<std::string> options;
     if (columns > 0 || dice.chance(30)) options.push_back(fmt::format("columns {}", columns));
     if (rows > 0 || dice.chance(30)) options.push_back(fmt::format("rows {}", rows));
+    if (dice.chance(35)) {
+        options.push_back(fmt::format("by {}", dice.pick({"nearest", "bilinear", "bicubic"})));
+        return words({"expand", draft.shuffled(options)});
+    }
     if (dice.chance(40)) options.push_back(fmt::format("first {}", dice.pick({"rows", "columns"})));
     const char* distribution = dice.pick({"", "uniform", "shuffled", "normal", "triangular"});
     if (*distribution != '\0') options.push_back(fmt::format("distribution {}", distribution));

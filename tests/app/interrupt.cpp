@@ -91,7 +91,9 @@ TEST_CASE(
     "option --checkpoint-every keeps the latest state, and a run resumed from it ends in the same bits on any "
     "backend") {
     const Folder folder;
-    const std::string growing = test::spots + "rule every 15 offset 2 always expand columns 1 rows 1\n";
+    const std::string growing = test::spots +
+                                "rule every 15 offset 2 always expand columns 1 rows 1\n"
+                                "rule every 30 offset 19 always expand columns 2 rows 1 by bicubic\n";
     const std::string file = folder.write("spots.pex", growing);
     const std::filesystem::path checkpoint = checkpoint_at_40(folder, file);
     const std::string backend = GENERATE(as<std::string>(), "reference", "opencl");
@@ -105,7 +107,7 @@ TEST_CASE(
     const auto manifest = nlohmann::json::parse(read_all(folder / "second" / "manifest.json"));
     CHECK(manifest.at("first_iteration") == 40);
     CHECK(manifest.at("iterations") == 60);
-    CHECK(manifest.at("cells") == (24 + 4) * (16 + 4));
+    CHECK(manifest.at("cells") == (24 + 4 + 4) * (16 + 4 + 2));
 }
 
 TEST_CASE("a checkpoint of another run is refused with the difference") {

@@ -32,6 +32,9 @@ private:
     void do_expand(const Insertion& insertion) override {
         log.push_back(fmt::format("{} at {}x{}", insertion.column ? "column" : "row", columns(), rows()));
     }
+    void do_resample(const Resampling& to) override {
+        log.push_back(fmt::format("{}x{} to {}x{}", columns(), rows(), to.across.places, to.up.places));
+    }
     void do_set_rate(std::size_t chemical, double rate) override {
         log.push_back(fmt::format("rate {} {}", chemical, rate));
     }
@@ -77,6 +80,19 @@ TEST_CASE("advance cuts at expansions and phases, wherever it is split") {
     CHECK(whole.iteration() == 10);
     CHECK(whole.columns() == 8);
     CHECK(whole.rows() == 6);
+}
+
+TEST_CASE("an expansion by interpolation is one stretch to the new size") {
+    Experiment experiment = growing();
+    std::get<Expand>(experiment.rules.back().action).interpolation = Interpolation::bilinear;
+    Recorder tissue(experiment, initial_state(experiment));
+
+    tissue.advance(8);
+
+    CHECK(tissue.log == std::vector<std::string>{"advance 0 1", "6x4 to 7x5", "advance 1 5", "7x5 to 8x6",
+                                                 "advance 6 1", "rate 0 2.5", "advance 7 1"});
+    CHECK(tissue.columns() == 8);
+    CHECK(tissue.rows() == 6);
 }
 
 TEST_CASE("expand refuses picks that do not fit") {

@@ -110,6 +110,21 @@ TEST_CASE("expand") {
     CHECK_FALSE(columns.band_rows);
 }
 
+TEST_CASE("an expansion by interpolation") {
+    CHECK_FALSE(std::get<Expand>(rule_on_matrix("rule always expand columns 2").action).interpolation);
+    const std::pair<const char*, Interpolation> all[] = {{"nearest", Interpolation::nearest},
+                                                         {"bilinear", Interpolation::bilinear},
+                                                         {"bicubic", Interpolation::bicubic}};
+    for (const auto& [word, interpolation] : all) {
+        const Rule rule = rule_on_matrix(std::string("rule every 9 always expand by ") + word + " rows 3 columns 1");
+        const auto expand = std::get<Expand>(rule.action);
+
+        CHECK(expand.interpolation == interpolation);
+        CHECK(expand.rows == 3);
+        CHECK(expand.columns == 1);
+    }
+}
+
 TEST_CASE("distributions of an expansion") {
     const std::pair<const char*, Distribution> all[] = {{"uniform", Distribution::uniform},
                                                         {"shuffled", Distribution::shuffled},

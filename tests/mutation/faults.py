@@ -117,4 +117,13 @@ FAULTS = [
     ("sims' share divided as nine-point's", "host/opencl/emit_lattice.cpp", "Stencil::sims ? 20.0", "Stencil::sims ? 6.0"),
     ("rates written and not taken over", "host/opencl/lattice_step.cpp",
      "        if (writes_rates_) state.rates().swap();\n", ""),
+    # Births, and growth by interpolation
+    ("a duplicate born with its twin", "kernels/expand.cl", "value = (ELEMENT)iteration;", "value = value;"),
+    ("every duplicate's twin born anew", "kernels/expand.cl", "== pick + 1) value", "== pick) value"),
+    ("a stretched row weighed as the one below", "kernels/resample.cl", "row_weights[row * others + other]",
+     "row_weights[(row > 0 ? row - 1 : 0) * others + other]"),
+    ("a stretched element without its farthest neighbour", "kernels/resample.cl",
+     "for (int other = 0; other < others; ++other) sum = fma(weight[other]",
+     "for (int other = 0; other < min(others, 2); ++other) sum = fma(weight[other]"),
+    ("limits forgotten in a stretched lattice", "kernels/resample.cl", "sum > highest ? highest : sum", "sum"),
 ]

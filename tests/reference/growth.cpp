@@ -112,6 +112,68 @@ TEST_CASE("expansion then projection returns the original, in every field") {
     }
 }
 
+TEST_CASE("a duplicate is born in the iteration in which it is inserted") {
+    const Experiment experiment = test::matrix(3, 2);
+    Snapshot state = test::blank(experiment);
+    state.iteration = 7;
+    state.birth = {-1, -2, -3, -4, -5, -6};
+    const auto tissue = test::start(experiment, state);
+
+    tissue->expand({true, {0, 2}});
+    CHECK(tissue->read().birth == std::vector<std::int32_t>{-1, 7, -2, -3, -4, -5, -6, 7});
+
+    tissue->advance(1);
+    tissue->expand({false, {1, 0, 1, 0}});
+    CHECK(tissue->read().birth == std::vector<std::int32_t>{-1, 7, -2, -3, -4, 8, -6, 8, 8, -5, 8, 7});
+}
+
+TEST_CASE("a stretched matrix: concentrations are interpolated, all else is the nearest element's") {
+    Experiment experiment = test::matrix(2, 1, Boundary::no_flux, Stencil::nine_point, {"A", "B"});
+    experiment.phases.front().bounds[1] = {0.0, 2.0};
+    experiment.mappings = {"m"};
+    Expand growth;
+    growth.columns = 2;
+    growth.rows = 1;
+    growth.interpolation = Interpolation::bilinear;
+    Rule rule = test::rule(growth);
+    rule.until = 0;
+    experiment.rules = {rule};
+    Snapshot state = test::blank(experiment);
+    state.conc = {{1, 3}, {1, 5}};
+    state.diff = {{0, 0}, {0, 0}};
+    state.mappings = {{10, 20}};
+    state.birth = {-1, -2};
+    state.fixed = {0, 1};
+
+    const Snapshot grown = test::after(1, experiment, state);
+
+    CHECK(grown.columns == 4);
+    CHECK(grown.rows == 2);
+    CHECK(grown.conc[0] == Values{1, 1.5, 2.5, 3, 1, 1.5, 2.5, 3});
+    CHECK(grown.conc[1] == Values{1, 2, 2, 2, 1, 2, 2, 2});  // at its limit
+    CHECK(grown.mappings[0] == Values{10, 10, 20, 20, 10, 10, 20, 20});
+    CHECK(grown.birth == std::vector<std::int32_t>{-1, -1, -2, -2, -1, -1, -2, -2});
+    CHECK(grown.fixed == std::vector<std::uint8_t>{0, 0, 1, 1, 0, 0, 1, 1});
+    CHECK(Values(grown.x.begin(), grown.x.begin() + 4) == Values{-3, -1, 1, 3});
+}
+
+TEST_CASE("an even matrix stays even to the bit, however it is stretched") {
+    for (const auto way : {Interpolation::nearest, Interpolation::bilinear, Interpolation::bicubic}) {
+        Experiment experiment = test::matrix(7, 5, Boundary::wrap);
+        Expand growth;
+        growth.columns = 3;
+        growth.rows = 2;
+        growth.interpolation = way;
+        experiment.rules = {test::rule(growth)};
+        Snapshot state = test::blank(experiment);
+        state.conc[0] = Values(35, double{0.1f});
+
+        const Snapshot grown = test::after(4, experiment, state);
+
+        CHECK(grown.conc[0] == Values(19 * 13, double{0.1f}));
+    }
+}
+
 TEST_CASE("expand rules act before the iteration's other rules and see the new size") {
     Experiment experiment = two_chemicals(4, 3);
     Rule growth = test::rule(Expand{2, 1, false, Distribution::uniform, 1.0, 0.0, 0.0, true});
