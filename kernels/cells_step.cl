@@ -60,15 +60,15 @@ static inline int pelage_divide(mask where, real angle, int nth, int first, int 
         new_x = SELECT(where, new_x + px * offset, new_x);    \
         new_y = SELECT(where, new_y + py * offset, new_y);    \
     }
-#define GET_NEIGHBOURS TO_REAL(LOAD(neighbours_old + first))
-#define GET_BIRTH TO_REAL(LOAD(birth_old + first))
-#define GET_AGE TO_REAL((intv)((int)iteration) - LOAD(birth_old + first))
+#define WHOLE_NEIGHBOURS TO_UINT(LOAD(neighbours_old + first))
+#define WHOLE_BIRTH TO_UINT(LOAD(birth_old + first))
+#define WHOLE_AGE ((uintv)(iteration)-WHOLE_BIRTH)
+#define WHOLE_ROW W(0)
+#define WHOLE_COLUMN W(0)
+#define WHOLE_ROWS W(0)
+#define WHOLE_COLUMNS W(0)
 #define GET_X x
 #define GET_Y y
-#define GET_ROW R(0)
-#define GET_COLUMN R(0)
-#define GET_ROWS R(0)
-#define GET_COLUMNS R(0)
 
 // progress[step - 1] is that of the step before; progress[0] belongs to the host. A step whose lists cannot be relied
 // on any more, or were cut off, does nothing, and neither do those after it.

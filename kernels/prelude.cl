@@ -89,6 +89,11 @@ PELAGE_LOOSE(intv, int)
 #endif
 #define ALL_FALSE ((mask)(0))
 
+// Whole numbers that rules read, from 0 to 2^32 - 1, as comparisons take them: exactly. The others are
+// the kernel's: WHOLE_NEIGHBOURS, WHOLE_AGE, WHOLE_BIRTH, WHOLE_ROW, WHOLE_COLUMN, WHOLE_ROWS, WHOLE_COLUMNS.
+#define WHOLE_ITERATION ((uintv)(iteration))
+#define W(n) ((uintv)(n))
+
 // The same truth in every lane; b is a scalar.
 #define UNIFORM(b) ((b) ? ALL_TRUE : ALL_FALSE)
 

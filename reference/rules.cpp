@@ -38,19 +38,36 @@ struct Judge {  // narrows truth to the cells where a condition holds
 
     void operator()(const Always&) {}
     void operator()(const Compare& c) {
+        if (compared_exactly(c.left, c.right)) return exactly(c.left, c.comparison, c.right);
         const Column<T> left = sight.column(c.left);
         const Column<T> right = sight.column(c.right);
         narrow([&](std::size_t cell) { return holds(left[cell], c.comparison, right[cell]); });
     }
     void operator()(const Within& c) {
+        const bool low_exact = compared_exactly(c.low, c.value);
+        const bool high_exact = compared_exactly(c.value, c.high);
+        if (low_exact) exactly(c.low, Comparison::less_equal, c.value);
+        if (high_exact) exactly(c.value, Comparison::less_equal, c.high);
+        if (low_exact && high_exact) return;
         const Column<T> value = sight.column(c.value);
-        const Column<T> low = sight.column(c.low);
-        const Column<T> high = sight.column(c.high);
-        narrow([&](std::size_t cell) { return low[cell] <= value[cell] && value[cell] <= high[cell]; });
+        if (!low_exact) {
+            const Column<T> low = sight.column(c.low);
+            narrow([&](std::size_t cell) { return low[cell] <= value[cell]; });
+        }
+        if (!high_exact) {
+            const Column<T> high = sight.column(c.high);
+            narrow([&](std::size_t cell) { return value[cell] <= high[cell]; });
+        }
     }
     void operator()(const Probability& c) {
         const Column<T> chance = sight.column(c.chance);
         narrow([&](std::size_t cell) { return draw(sight, cell, purpose::condition) < chance[cell]; });
+    }
+
+    void exactly(const Operand& a, Comparison comparison, const Operand& b) {
+        const Column<double> left = sight.exact_column(a);
+        const Column<double> right = sight.exact_column(b);
+        narrow([&](std::size_t cell) { return holds(left[cell], comparison, right[cell]); });
     }
 
     template <class F>

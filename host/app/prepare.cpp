@@ -3,39 +3,21 @@
 
 #include "app/read_experiment.hpp"
 #include "core/error.hpp"
+#include "core/seed.hpp"
 #include "core/stability.hpp"
 #include "io/checkpoint.hpp"
 
 #include <fmt/format.h>
 #include <unistd.h>
 
-#include <algorithm>
-#include <chrono>
 #include <fstream>
 #include <system_error>
-#include <variant>
 
 namespace pelage::app {
 
 namespace {
 
 namespace fs = std::filesystem;
-
-bool seeded_by_clock(const Experiment& experiment) {
-    if (experiment.seed) return *experiment.seed == 0;
-    return std::any_of(experiment.prepattern.begin(), experiment.prepattern.end(), [](const Statement& statement) {
-        const auto* use = std::get_if<UseSeed>(&statement);
-        return use != nullptr && use->seed == 0;
-    });
-}
-
-// One number stands for the clock everywhere, so that --seed with it repeats the run.
-void settle_seed(Experiment& experiment, const std::optional<Checkpoint>& checkpoint) {
-    if (!seeded_by_clock(experiment)) return;
-    const auto now = std::chrono::system_clock::now().time_since_epoch();
-    experiment.seed =
-        checkpoint ? checkpoint->info.seed : std::chrono::duration_cast<std::chrono::seconds>(now).count();
-}
 
 void compare(const Checkpoint& checkpoint, const Experiment& experiment, const RunOptions& options,
              std::uint64_t last) {
@@ -69,7 +51,7 @@ Prepared prepare(const RunOptions& options) {
     Outline outline;
     experiment = read_experiment(options.file, &outline);
     if (options.seed) experiment.seed = options.seed;
-    settle_seed(experiment, checkpoint);
+    settle_seed(experiment, checkpoint ? checkpoint->info.seed : seed_from_clock());
     prepared.last = options.iterations.value_or(experiment.last_iteration());
     // A run made shorter by --iterations is no mistake of the file's.
     prepared.warnings = lint(experiment, outline, std::max(prepared.last, experiment.last_iteration()));

@@ -238,7 +238,7 @@ int run_experiment(const RunOptions& options) {
     const Footprint needed = footprint(prepared.experiment, prepared.last, options.precision);
     check_host_memory(prepared.experiment, needed, host_memory());
     Machine machine = choose_machine(options, prepared.experiment, needed);
-    const Snapshot initial = initial_state(prepared.experiment);
+    const Snapshot initial = initial_state(prepared.experiment, options.precision);
     if (!options.force) check_stability(prepared.experiment, initial);
     const Snapshot& start = prepared.resumed ? *prepared.resumed : initial;
     if (!trusted(options, prepared, machine, start)) return failed_check;

@@ -60,7 +60,7 @@ private:
             case Format::npy:
                 return write_arrays();
             case Format::csv:
-                return write_csv(place(stem_ + ".csv"), snapshot_, experiment_);
+                return write_csv(place(stem_ + ".csv"), snapshot_, experiment_, options_.precision);
             case Format::vtk:
                 if (snapshot_.lattice())
                     return write_vti(place(stem_ + ".vti"), snapshot_, experiment_, options_.precision);

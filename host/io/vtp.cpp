@@ -33,7 +33,7 @@ void write_piece(AtomicFile& file, const Snapshot& cells, const Experiment& expe
     const auto first = experiment.chemicals.empty() ? "" : "conc " + experiment.chemicals[0].name;
     file.write(fmt::format("</Verts>\n<PointData Scalars=\"{}\" Vectors=\"polarity\">\n", xml_escaped(first)));
     write_array<std::int64_t>(file, "id", 1, cells.cells(), identity);
-    write_values<std::int32_t>(file, "birth", cells.birth);
+    write_values<std::int64_t>(file, "birth", cells.birth);
     write_values<std::int32_t>(file, "neighbours", cells.neighbours);
     write_values<std::uint8_t>(file, "fixed", cells.fixed);
     write_vectors<T>(file, "polarity", cells.polarity_x, cells.polarity_y);

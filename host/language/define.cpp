@@ -141,6 +141,16 @@ void parse_stencil(Script& script, Cursor& cursor, const Token& word) {
     script.needs_matrix(cursor, word);
 }
 
+void parse_time_step(Script& script, Cursor& cursor) {
+    const Token& token = cursor.peek();
+    const double step = cursor.number("the time step", positive);
+    if (step < smallest_time_step) {
+        cursor.fail(token, fmt::format("'{}' is 0 in float; the time step must be at least {:.3g}", token.text,
+                                       smallest_time_step));
+    }
+    script.phase().time_step = step;
+}
+
 }  // namespace
 
 void parse_define(Script& script, Cursor& cursor) {
@@ -153,8 +163,7 @@ void parse_define(Script& script, Cursor& cursor) {
         case 0:
             return parse_chemical(script, cursor);
         case 1:
-            script.phase().time_step = cursor.number("the time step", positive);
-            return;
+            return parse_time_step(script, cursor);
         case 2:
             script.experiment.division_limit = cursor.integer("the division limit", 0, largest_cell_count);
             return;

@@ -37,6 +37,7 @@ Experiment Script::finish() {
     check_arrangement();
     check_pictures();
     check_growth();
+    check_starts();
     finish_outputs();
     validate(experiment);
     return std::move(experiment);
@@ -96,6 +97,21 @@ void Script::check_growth() const {
                                        rows, largest_cell_count));
         }
         ++place;
+    }
+}
+
+Place Script::place_of(const StartFault& fault) const {
+    if (fault.statement) {
+        const StartPlace& place = starts_[*fault.statement];
+        return fault.rate ? place.diff : place.conc;
+    }
+    const auto of_chemical = [&](const Picture& picture) { return picture.chemical == fault.picture; };
+    return std::ranges::find_if(pictures_, of_chemical)->place;
+}
+
+void Script::check_starts() const {
+    for (const StartFault& fault : start_faults(experiment)) {
+        if (fault.refused) throw error_at(experiment.source, place_of(fault), fault.text);
     }
 }
 

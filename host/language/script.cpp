@@ -73,7 +73,12 @@ void Script::create(const Cursor& cursor, const Token& at, const Statement& stat
     }
     matrix_ = matrix_ || matrix;
     cells_ += cells;
-    experiment.prepattern.emplace_back(statement);
+    start(statement, cursor.place(at));
+}
+
+void Script::start(Statement statement, const StartPlace& place) {
+    experiment.prepattern.push_back(std::move(statement));
+    starts_.push_back(place);
 }
 
 void Script::begin_phase(std::string name, std::uint64_t steps) {

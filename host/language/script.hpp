@@ -2,6 +2,7 @@
 #pragma once
 
 #include "core/experiment.hpp"
+#include "core/starts.hpp"
 #include "language/cursor.hpp"
 
 #include <array>
@@ -38,6 +39,13 @@ struct Picture {  // the initial state of a chemical
     Place place;
 };
 
+struct StartPlace {  // of the values a statement gives
+    StartPlace(Place both) : conc(both), diff(both) {}
+    StartPlace(Place of_conc, Place of_diff) : conc(of_conc), diff(of_diff) {}
+    Place conc;
+    Place diff;
+};
+
 class Script {
 public:
     Script(const std::string& text, const std::string& source, std::filesystem::path folder);
@@ -57,6 +65,9 @@ public:
     std::size_t cells() const { return cells_; }
     // Takes note of a `create`; `at` is its kind. Throws Error for too many cells or a mixture with a matrix.
     void create(const Cursor&, const Token& at, const Statement&, std::size_t cells);
+
+    // ---- how the tissue starts
+    void start(Statement, const StartPlace&);  // takes it into the prepattern
 
     // ---- phases
     bool in_phase() const { return !experiment.phases.empty(); }
@@ -89,6 +100,8 @@ private:
     void check_contents() const;
     void check_arrangement() const;
     void check_pictures() const;
+    void check_starts() const;
+    Place place_of(const StartFault&) const;
     void check_growth() const;
     void finish_outputs();
 
@@ -102,7 +115,8 @@ private:
     std::optional<Demand> needs_lattice_;
     std::vector<Place> expansions_;
     std::vector<Picture> pictures_;
-    std::size_t line_ = 0;  // the last one
+    std::vector<StartPlace> starts_;  // of each statement of the prepattern
+    std::size_t line_ = 0;            // the last one
 };
 
 }  // namespace pelage::language

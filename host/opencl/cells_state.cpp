@@ -201,7 +201,7 @@ Snapshot CellsState::download() const {
     }
     const auto get = [&](CellArray array) { return fetch<cl_int>(session_, now(array), 0, cells_); };
     snapshot.neighbours = by_id<std::int32_t>(get(CellArray::neighbours), place);
-    snapshot.birth = by_id<std::int32_t>(get(CellArray::birth), place);
+    snapshot.birth = by_id<std::uint32_t>(get(CellArray::birth), place);
     snapshot.fixed = by_id<std::uint8_t>(get(CellArray::fixed), place);
     return snapshot;
 }

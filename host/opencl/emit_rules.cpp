@@ -3,6 +3,7 @@
 
 #include "core/philox.hpp"
 #include "opencl/emit_operand.hpp"
+#include "opencl/emit_whole.hpp"
 
 #include <fmt/format.h>
 
@@ -21,24 +22,6 @@ std::string kernel_name(Model model) {
 }
 
 bool acts_on_one(Model model) { return model == Model::cubic || model == Model::reinforcement; }
-
-const char* symbol(Comparison comparison) {
-    switch (comparison) {
-        case Comparison::equal:
-            return "==";
-        case Comparison::not_equal:
-            return "!=";
-        case Comparison::less:
-            return "<";
-        case Comparison::less_equal:
-            return "<=";
-        case Comparison::greater:
-            return ">";
-        case Comparison::greater_equal:
-            return ">=";
-    }
-    return "==";
-}
 
 // True at the iterations at which the rule acts, as Rule::active(); values past 32 bits never come.
 std::string interval(const Rule& rule) {
@@ -94,14 +77,29 @@ private:
 
     std::string test(const Always&) { return ""; }
     std::string test(const Compare& c) {
+        if (compared_exactly(c.left, c.right)) return exactly(c.left, c.comparison, c.right);
         const std::string left = operands_.text(c.left);
         return fmt::format("({} {} {})", left, symbol(c.comparison), operands_.text(c.right));
     }
     std::string test(const Within& c) {
-        const std::string value = operands_.text(c.value);
-        const std::string low = operands_.text(c.low);
-        return fmt::format("({} <= {}) & ({} <= {})", low, value, value, operands_.text(c.high));
+        const bool low_exact = compared_exactly(c.low, c.value);
+        const bool high_exact = compared_exactly(c.value, c.high);
+        const std::string value = low_exact && high_exact ? "" : operands_.text(c.value);
+        const std::string low = low_exact ? exactly(c.low, Comparison::less_equal, c.value)
+                                          : fmt::format("({} <= {})", operands_.text(c.low), value);
+        const std::string high = high_exact ? exactly(c.value, Comparison::less_equal, c.high)
+                                            : fmt::format("({} <= {})", value, operands_.text(c.high));
+        return fmt::format("{} & {}", low, high);
     }
+
+    std::string exactly(const Operand& left, Comparison comparison, const Operand& right) {
+        if (right.quantity == Quantity::number) return emit_whole_test(operands_.whole(left), comparison, right.value);
+        if (left.quantity == Quantity::number)
+            return emit_whole_test(operands_.whole(right), exchanged(comparison), left.value);
+        const std::string whole = operands_.whole(left);
+        return fmt::format("TO_MASK({} {} {})", whole, symbol(comparison), operands_.whole(right));
+    }
+
     std::string test(const Probability& c) {
         const std::string chance = operands_.text(c.chance);
         return fmt::format("({} < {})", operands_.draw(purpose::condition), chance);

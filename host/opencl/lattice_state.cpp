@@ -13,12 +13,12 @@ bool reads_birth(const RuleUse& use) {
     return use.quantities.contains(Quantity::age) || use.quantities.contains(Quantity::birth);
 }
 
-// Cells lie 2 apart around the centre, rounded to float as the published program holds them.
+// Cells lie 2 apart around the centre.
 std::vector<double> centres(double origin, std::size_t count) {
     std::vector<double> values(count);
     for (std::size_t i = 0; i < count; ++i) {
         const double offset = (static_cast<double>(i) - static_cast<double>(count) / 2.0) * 2 + 1;
-        values[i] = static_cast<double>(static_cast<float>(origin + offset));
+        values[i] = origin + offset;
     }
     return values;
 }
@@ -61,7 +61,7 @@ LatticeState::LatticeState(const Session& session, const Experiment& experiment,
     if (polarity_.planes() > 0)
         polarity_.upload(grid_, std::vector<std::vector<double>>{initial.polarity_x, initial.polarity_y});
     mappings_.upload(grid_, initial.mappings);
-    if (birth_.planes() > 0) birth_.upload(grid_, std::vector<std::vector<std::int32_t>>{initial.birth});
+    if (birth_.planes() > 0) birth_.upload(grid_, std::vector<std::vector<std::uint32_t>>{initial.birth});
     if (neighbours_.planes() > 0) neighbours_.upload(grid_, std::vector<std::vector<std::int32_t>>{initial.neighbours});
     if (polarity_.planes() == 0) {
         kept_polarity_x_.take(rounded(initial.polarity_x, session.is_double()));
@@ -128,15 +128,15 @@ void LatticeState::forget_counts() {
 
 void LatticeState::lay_out(const Grid& grid) {
     grid_ = grid;
-    x_ = centres(origin_x_, grid_.columns);
-    y_ = centres(origin_y_, grid_.rows);
+    x_ = rounded(centres(origin_x_, grid_.columns), session_.is_double());
+    y_ = rounded(centres(origin_y_, grid_.rows), session_.is_double());
     upload_places();
 }
 
 void LatticeState::expand(const Insertion& insertion, std::uint64_t iteration) {
     forget_counts();
     const Grid after = grid_.grown(insertion.column);
-    const auto birth = static_cast<std::int32_t>(iteration);
+    const auto birth = static_cast<std::uint32_t>(iteration);
     expander_.prepare(insertion);
     for (Planes* planes : {&conc_, &rates_, &polarity_, &mappings_, &birth_, &neighbours_}) {
         if (planes->planes() == 0) continue;
@@ -199,7 +199,7 @@ Snapshot LatticeState::read() const {
         state.polarity_x = kept_polarity_x_.of_all(cells);
         state.polarity_y = kept_polarity_y_.of_all(cells);
     }
-    state.birth = birth_.planes() > 0 ? birth_.download<std::int32_t>(grid_)[0] : kept_birth_.of_all(cells);
+    state.birth = birth_.planes() > 0 ? birth_.download<std::uint32_t>(grid_)[0] : kept_birth_.of_all(cells);
     state.neighbours = neighbours_.planes() > 0 ? neighbours_.download<std::int32_t>(grid_)[0]
                        : counted_               ? count_neighbours()
                                                 : kept_neighbours_.of_all(cells);

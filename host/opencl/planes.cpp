@@ -32,7 +32,7 @@ void PlaneExpander::prepare(const Insertion& insertion) {
 }
 
 void PlaneExpander::apply(const cl::Buffer& from, const cl::Buffer& to, const Grid& grid, std::size_t planes,
-                          bool integers, std::optional<std::int32_t> birth) {
+                          bool integers, std::optional<std::uint32_t> birth) {
     const Grid after = grid.grown(by_column_);
     cl::Kernel& kernel = integers ? integers_ : scalars_;
     if (kernel() == nullptr) kernel = expand_kernel(session_, integers ? "int" : "scalar");
@@ -221,7 +221,9 @@ void Planes::fill(const Grid& grid, std::size_t plane, double value) {
 
 template void Planes::upload(const Grid&, const std::vector<std::vector<double>>&);
 template void Planes::upload(const Grid&, const std::vector<std::vector<std::int32_t>>&);
+template void Planes::upload(const Grid&, const std::vector<std::vector<std::uint32_t>>&);
 template std::vector<std::vector<double>> Planes::download(const Grid&) const;
 template std::vector<std::vector<std::int32_t>> Planes::download(const Grid&) const;
+template std::vector<std::vector<std::uint32_t>> Planes::download(const Grid&) const;
 
 }  // namespace pelage

@@ -10,6 +10,7 @@
 
 #include <algorithm>
 #include <array>
+#include <functional>
 #include <limits>
 #include <string_view>
 
@@ -64,13 +65,14 @@ std::vector<Setting> settings_of(const CellCase& one, const Place& place) {
     return settings;
 }
 
-// `pairs`: cells whose values are averaged after each step.
-Outcome check_cells(const CellCase& one, Place& place, const std::vector<Setting>& settings,
-                    const decltype(Snapshot::mirrors)& pairs = {}) {
+using Touch = std::function<void(Snapshot&)>;
+
+// `touch` changes the start of the experiment.
+Outcome check_cells(const CellCase& one, Place& place, const std::vector<Setting>& settings, const Touch& touch = {}) {
     Outcome outcome;
     const Experiment experiment = parse_experiment(one.text(), one.name, ".");
     Snapshot initial = initial_state(experiment);
-    initial.mirrors = pairs;
+    if (touch) touch(initial);
     const std::uint64_t last = place.small() ? small_iterations : iterations;
     const std::size_t count = place.small() ? 1 : settings.size();
     std::vector<Snapshot> states{initial};
@@ -97,6 +99,20 @@ const CellCase mirrored{"cells/mirror-pairs",
                         "rule always react A B scale 0.01 turing alpha 16 beta 12\nrule probability 0.02 divide\n"};
 
 const CellCase& case_named(std::string_view name) { return *std::ranges::find(cell_cases(), name, &CellCase::name); }
+
+// Cells of all ages, so late that neither int nor float holds them.
+const CellCase late{"cells/last-iterations",
+                    "rule if AGE > 2147483648.5 change A conc 0.25\nrule if BIRTH == 2147483649 change B conc 0.5\n"
+                    "rule if BIRTH < AGE change C conc 0.125\nrule if ITERATION == 4294967255 change B conc 1\n"
+                    "rule if AGE == 2 divide direction 45\n"};
+
+void make_late(Snapshot& state) {
+    state.iteration = largest_iteration - iterations;
+    for (std::size_t cell = 0; cell < state.cells(); ++cell) {
+        const std::uint32_t births[] = {0, 2147483649u, static_cast<std::uint32_t>(state.iteration)};
+        state.birth[cell] = births[cell % 3];
+    }
+}
 
 Outcome finds_what_is_not_finite(Place& place) {
     Outcome outcome;
@@ -125,8 +141,12 @@ std::vector<Check> cell_checks() {
         checks.push_back({one.name, one.divides() ? "division" : "cell step", quick(one.name), run});
     }
     checks.push_back({"cells/mirror-pairs", "cell step", true, [](Place& place) {
-                          return check_cells(mirrored, place, {{}}, {{0, 12}, {1, 11}, {11, 2}, {100, 5}, {5, 12}});
+                          return check_cells(mirrored, place, {{}}, [](Snapshot& state) {
+                              state.mirrors = {{0, 12}, {1, 11}, {11, 2}, {100, 5}, {5, 12}};
+                          });
                       }});
+    checks.push_back({late.name, "cell step", true,
+                      [](Place& place) { return check_cells(late, place, settings_of(late, place), make_late); }});
     checks.push_back({"cells/spatial-sorting", "neighbour search", true, [](Place& place) {
                           return check_cells(mirrored, place, {{.search = NeighbourSearch::spatial_sorting}});
                       }});

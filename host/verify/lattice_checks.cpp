@@ -26,7 +26,8 @@ constexpr std::uint64_t quick_iterations = 50;
 constexpr std::size_t many_sizes = 10;
 
 // The cases that the quick form runs: each kernel path once, in the fewest programs.
-constexpr std::array<std::string_view, 20> quick_cases{"diffusion/nine-point/no-flux",
+constexpr std::array<std::string_view, 21> quick_cases{"rules/whole-numbers/fused",
+                                                       "diffusion/nine-point/no-flux",
                                                        "diffusion/nine-point/wrap",
                                                        "diffusion/nine-point/absorbing",
                                                        "diffusion/moore/wrap",
@@ -76,8 +77,8 @@ struct State {
     std::vector<Snapshot> after;  // each stride, by the reference
 };
 
-Snapshot first_state(const Case& one, const Experiment& experiment) {
-    Snapshot state = initial_state(experiment);
+Snapshot first_state(const Case& one, const Experiment& experiment, Precision precision) {
+    Snapshot state = initial_state(experiment, precision);
     if (one.touch) one.touch(state);
     return state;
 }
@@ -158,7 +159,7 @@ private:
     State by_reference(const Experiment& experiment, Precision precision) const {
         const auto reference = reference_backend(precision);
         State state;
-        state.before = first_state(case_, experiment);
+        state.before = first_state(case_, experiment, precision);
         const auto tissue = reference->make_tissue(experiment, state.before);
         const std::uint64_t most = place_.small()  ? small_iterations
                                    : place_.full() ? case_.iterations

@@ -14,6 +14,7 @@ constexpr double infinity = std::numeric_limits<double>::infinity();
 
 // New bounds about what the chemical may hold now.
 void change_bounds(Draft& draft, ChemicalDraft& chemical) {
+    if (chemical.pinned) return;
     Dice& dice = draft.dice;
     std::vector<std::string> options;
     if (dice.chance(60)) {

@@ -136,7 +136,7 @@ TEST_CASE("free cells as .vtp: points, vertices and all arrays") {
     auto cells = test::cells({1, 2.5}, {-1, 3});
     cells.polarity_x = {0.6, 0};
     cells.polarity_y = {0.8, 0};
-    cells.birth = {0, 12};
+    cells.birth = {0, 4294967295u};
     cells.fixed = {1, 0};
 
     write_vtp(scratch / "a.vtp", cells, test::experiment(), Precision::single_);
@@ -152,7 +152,7 @@ TEST_CASE("free cells as .vtp: points, vertices and all arrays") {
     CHECK(numbers<std::int64_t>(document.arrays["connectivity"]) == std::vector<std::int64_t>{0, 1});
     CHECK(numbers<std::int64_t>(document.arrays["offsets"]) == std::vector<std::int64_t>{1, 2});
     CHECK(numbers<std::int64_t>(document.arrays["id"]) == std::vector<std::int64_t>{0, 1});
-    CHECK(numbers<std::int32_t>(document.arrays["birth"]) == cells.birth);
+    CHECK(numbers<std::int64_t>(document.arrays["birth"]) == std::vector<std::int64_t>{0, 4294967295});
     CHECK(numbers<std::int32_t>(document.arrays["neighbours"]) == cells.neighbours);
     CHECK(numbers<std::uint8_t>(document.arrays["fixed"]) == cells.fixed);
     CHECK(numbers<float>(document.arrays["polarity"]) == std::vector<float>{0.6f, 0.8f, 0, 0, 0, 0});

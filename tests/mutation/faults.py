@@ -26,8 +26,8 @@ FAULTS = [
      "const int high = min(low + band, rows) + 1;"),
     ("one row never written", "kernels/lattice.cl", "for (int row = low; row < high; ++row) {",
      "for (int row = low; row < high - (high == rows); ++row) {"),
-    ("age one too high", "kernels/lattice.cl", "#define GET_AGE TO_REAL((uintv)(iteration)-",
-     "#define GET_AGE TO_REAL((uintv)(iteration + 1)-"),
+    ("age one too high", "kernels/lattice.cl", "#define WHOLE_AGE ((uintv)(iteration)-",
+     "#define WHOLE_AGE ((uintv)(iteration + 1)-"),
     # Models, bounds, rates
     ("sign in Turing's system", "kernels/models/turing.cl", "((u * v) - v) - beta", "((u * v) - v) + beta"),
     ("Gray-Scott feeds in proportion to u", "kernels/models/gray_scott.cl", "fma(feed, R(1) - u, -uvv)",

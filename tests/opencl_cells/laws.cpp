@@ -106,12 +106,12 @@ TEST_CASE("free cells: a run resumed from its state changes no bit") {
 TEST_CASE("free cells: what is written is read back") {
     const auto experiment = test::experiment(growing);
     Snapshot state = initial_state(*experiment);
-    state.iteration = 5;
+    state.iteration = 4294967290;
     for (std::size_t i = 0; i < state.cells(); ++i) {
         const auto value = static_cast<double>(i);
         state.polarity_x[i] = value / 64;
         state.polarity_y[i] = -value / 32;
-        state.birth[i] = static_cast<std::int32_t>(i) - 7;
+        state.birth[i] = i < 7 ? 4294967290u : static_cast<std::uint32_t>(i) - 7;
         state.neighbours[i] = static_cast<std::int32_t>(i % 9);
         state.fixed[i] = i % 2;
         state.conc[1][i] = value / 8;
