@@ -1,6 +1,8 @@
 // See expansion.hpp.
 #include "reference/expansion.hpp"
 
+#include "core/subnormal.hpp"
+
 #include <cstdint>
 
 namespace pelage::reference {
@@ -54,7 +56,7 @@ struct Growth {
 template <class T>
 T place(double origin, std::size_t index, std::size_t count) {
     const double offset = static_cast<double>(index) - static_cast<double>(count) / 2.0;
-    return static_cast<T>(static_cast<float>(origin + offset * 2 + 1));
+    return in_precision<float>(origin + offset * 2 + 1);
 }
 
 }  // namespace

@@ -2,6 +2,7 @@
 #include "reference/operands.hpp"
 
 #include "core/philox.hpp"
+#include "core/subnormal.hpp"
 
 #include <array>
 #include <utility>
@@ -40,7 +41,7 @@ Column<T> Sight<T>::column(const Operand& operand) {
     const auto now = static_cast<std::int64_t>(iteration);
     switch (operand.quantity) {
         case Quantity::number:
-            return Column<T>(static_cast<T>(operand.value));
+            return Column<T>(in_precision<T>(operand.value));
         case Quantity::neighbours:
             return computed<T>(cells, [&](auto cell) { return old.neighbours[cell]; });
         case Quantity::age:

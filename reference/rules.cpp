@@ -2,6 +2,7 @@
 #include "reference/rules.hpp"
 
 #include "core/philox.hpp"
+#include "core/subnormal.hpp"
 #include "reference/operands.hpp"
 #include "reference/reactions.hpp"
 
@@ -74,7 +75,7 @@ struct Act {  // carries out an action where truth holds
 
     void operator()(const Change& change) {
         const Column<T> amount = sight.column(change.amount);
-        const T deviation = static_cast<T>(change.deviation);
+        const T deviation = in_precision<T>(change.deviation);
         const bool rate = change.target == Target::rate;
         std::vector<T>& values = (rate ? next.diff : next.conc)[change.chemical];
         each([&](std::size_t cell) {
@@ -95,8 +96,8 @@ struct Act {  // carries out an action where truth holds
 
     void operator()(const Map& map) {
         const Column<T> value = sight.column(map.value);
-        const T from_low = static_cast<T>(map.from_low), from_high = static_cast<T>(map.from_high);
-        const T to_low = static_cast<T>(map.to_low), to_high = static_cast<T>(map.to_high);
+        const T from_low = in_precision<T>(map.from_low), from_high = in_precision<T>(map.from_high);
+        const T to_low = in_precision<T>(map.to_low), to_high = in_precision<T>(map.to_high);
         std::vector<T>& mapping = next.mappings[map.mapping];
         each([&](std::size_t cell) {
             const T x = value[cell];
@@ -113,7 +114,7 @@ struct Act {  // carries out an action where truth holds
 
     void operator()(const Divide& divide) {
         const Column<T> direction = sight.column(divide.direction);
-        const T deviation = static_cast<T>(divide.deviation);
+        const T deviation = in_precision<T>(divide.deviation);
         each([&](std::size_t cell) {
             requests.divisions.push_back({cell, sight.rule, double{deviated(direction[cell], deviation, cell)}});
         });
@@ -121,7 +122,7 @@ struct Act {  // carries out an action where truth holds
 
     void operator()(const Move& move) {
         const Column<T> distance = sight.column(move.distance);
-        const T deviation = static_cast<T>(move.deviation);
+        const T deviation = in_precision<T>(move.deviation);
         each([&](std::size_t cell) {
             const T offset = deviated(distance[cell], deviation, cell);
             next.x[cell] = next.x[cell] + sight.old.polarity_x[cell] * offset;
@@ -168,7 +169,7 @@ void Remembered<T>::prepare(std::size_t cells) {
 template <class T>
 void apply_rules(const Experiment& experiment, std::uint64_t iteration, Arithmetic arithmetic, const State<T>& old,
                  State<T>& next, Requests<T>& requests) {
-    const T dt = static_cast<T>(experiment.phase_at(iteration).time_step);
+    const T dt = in_precision<T>(experiment.phase_at(iteration).time_step);
     const std::int64_t seed = experiment.run_seed();
     std::vector<Remembered<T>> set_rate(next.diff.size());
     requests.set_conc.assign(next.conc.size(), {});

@@ -110,7 +110,7 @@ void add_bench(CLI::App& app, int& exit_code) {
         ->type_name("DEVICE");
     list("--against", options->what.against,
          "Backends beside opencl: reference, openmp, nanoflann, nanoflann-openmp, opencl-plain, opencl-step, "
-         "opencl-fast",
+         "opencl-fast, opencl-twin",
          "LIST");
     list("--sizes", options->what.sizes, "Sides of lattices; numbers of free cells and points", "LIST");
     list("--cases", options->what.cases, "Only these cases of the suites; all: every one", "LIST");

@@ -225,8 +225,9 @@ void warn(const RunOptions& options, const Prepared& prepared) {
 // Whether the device may be trusted with the run; says why not.
 bool trusted(const RunOptions& options, const Prepared& prepared, const Machine& machine, const Snapshot& start) {
     if (!machine.opencl || options.no_self_test) return true;
-    const std::string fault = self_check(*machine.opencl, machine.info, prepared.experiment, start, prepared.last);
+    const auto [fault, note] = self_check(*machine.opencl, machine.info, prepared.experiment, start, prepared.last);
     if (!fault.empty()) fmt::print(stderr, "pelage: {}\n", fault);
+    if (!note.empty() && !options.quiet) fmt::print(stderr, "note: {}\n", note);
     return fault.empty();
 }
 

@@ -62,7 +62,7 @@ TuningJob job_of(const RunOptions& options, const Prepared& prepared, const Snap
 // What the self-test finds wrong with a candidate; empty: nothing.
 std::string fault_of(const TuningJob& job, const Candidate& candidate, const Snapshot& start) {
     try {
-        return self_check(applied(candidate, job.options), job.device, job.experiment, start, job.last);
+        return self_check(applied(candidate, job.options), job.device, job.experiment, start, job.last).fault;
     } catch (const Error& error) {
         return error.what();
     }

@@ -2,6 +2,8 @@
 #include "opencl/cells.hpp"
 
 #include "core/error.hpp"
+#include "core/finite.hpp"
+#include "core/subnormal.hpp"
 #include "opencl/cells_division.hpp"
 #include "opencl/cells_lists.hpp"
 #include "opencl/cells_mirrors.hpp"
@@ -46,7 +48,7 @@ std::string service_source() {
 // Half of a packed domain's side, in the precision of the run.
 template <class T>
 double packed_half(std::size_t cells, double area) {
-    const T side = std::sqrt(static_cast<T>(cells) * static_cast<T>(area)) - T(2);
+    const T side = std::sqrt(static_cast<T>(cells) * in_precision<T>(area)) - T(2);
     return static_cast<double>(side / T(2));
 }
 
@@ -239,13 +241,7 @@ std::optional<NonFinite> OpenclCells::do_non_finite() const {
         cl_int found = 0;
         session_->queue().enqueueReadBuffer(found_, CL_TRUE, 0, sizeof found, &found);
         if (found == 0) return std::nullopt;
-        const Snapshot snapshot = state_.download();
-        for (std::size_t chemical = 0; chemical < snapshot.conc.size(); ++chemical) {
-            for (std::size_t cell = 0; cell < snapshot.cells(); ++cell) {
-                if (!std::isfinite(snapshot.conc[chemical][cell])) return NonFinite{chemical, cell};
-            }
-        }
-        return std::nullopt;
+        return first_non_finite(state_.download().conc);
     });
 }
 

@@ -1,6 +1,7 @@
 // See device.hpp.
 #include "opencl/device.hpp"
 
+#include "core/subnormal.hpp"
 #include "opencl/cl_error.hpp"
 
 #include <fmt/format.h>
@@ -189,7 +190,10 @@ bool DeviceInfo::software_rasteriser() const {
 
 bool DeviceInfo::watches_memory() const { return platform == "Oclgrind"; }
 
+// Threads inherit the mode of the one that starts them, and some drivers start theirs here (rusticl): those flush then
+// though they do not heed -cl-denorms-are-zero.
 std::vector<DeviceInfo> list_devices() {
+    const SubnormalsAreZero scope;
     std::vector<DeviceInfo> devices;
     std::vector<DeviceInfo> broken;  // last, so that they move nobody else's index
     for (const cl::Platform& platform : list_platforms()) {

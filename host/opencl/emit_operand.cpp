@@ -2,6 +2,7 @@
 #include "opencl/emit_operand.hpp"
 
 #include "core/philox.hpp"
+#include "core/subnormal.hpp"
 
 #include <fmt/format.h>
 
@@ -11,7 +12,7 @@ namespace pelage {
 
 std::string emit_number(double value, Precision precision) {
     const bool single = precision == Precision::single_;
-    const double rounded = single ? static_cast<double>(static_cast<float>(value)) : value;
+    const double rounded = single ? double{in_precision<float>(value)} : value;
     if (std::isnan(rounded)) return "R(NAN)";
     if (std::isinf(rounded)) return rounded < 0 ? "R(-INFINITY)" : "R(INFINITY)";
     return fmt::format("R({}{:a}{})", std::signbit(rounded) ? "-" : "", std::fabs(rounded), single ? "f" : "");

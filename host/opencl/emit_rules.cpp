@@ -2,6 +2,7 @@
 #include "opencl/emit_rules.hpp"
 
 #include "core/philox.hpp"
+#include "core/subnormal.hpp"
 #include "opencl/emit_operand.hpp"
 
 #include <fmt/format.h>
@@ -119,7 +120,7 @@ private:
 
     std::string deviated(const Operand& amount, double deviation) {
         const std::string middle = operands_.text(amount);
-        if (static_cast<float>(deviation) == 0.0f && (precision_ == Precision::single_ || deviation == 0.0))
+        if (in_precision<float>(deviation) == 0.0f && (precision_ == Precision::single_ || deviation == 0.0))
             return middle;
         const std::string u = operands_.draw(purpose::deviation);
         return fmt::format("({} + {} * (({} + {}) - R(1)))", middle, number(deviation), u, u);

@@ -1,6 +1,7 @@
 // See lattice_state.hpp.
 #include "opencl/lattice_state.hpp"
 
+#include "core/subnormal.hpp"
 #include "opencl/emit_lattice.hpp"
 
 #include <algorithm>
@@ -18,14 +19,14 @@ std::vector<double> centres(double origin, std::size_t count) {
     std::vector<double> values(count);
     for (std::size_t i = 0; i < count; ++i) {
         const double offset = (static_cast<double>(i) - static_cast<double>(count) / 2.0) * 2 + 1;
-        values[i] = static_cast<double>(static_cast<float>(origin + offset));
+        values[i] = double{in_precision<float>(origin + offset)};
     }
     return values;
 }
 
 std::vector<double> rounded(const std::vector<double>& values, bool is_double) {
     std::vector<double> result = values;
-    for (double& value : result) value = is_double ? value : double{static_cast<float>(value)};
+    for (double& value : result) value = is_double ? value : double{in_precision<float>(value)};
     return result;
 }
 
@@ -95,7 +96,7 @@ void LatticeState::upload_places() {
 }
 
 void LatticeState::set_rate(std::size_t chemical, double rate) {
-    uniform_rates_[chemical] = session_.is_double() ? rate : static_cast<double>(static_cast<float>(rate));
+    uniform_rates_[chemical] = session_.is_double() ? rate : double{in_precision<float>(rate)};
     if (rate_planes_[chemical] != no_plane) rates_.fill(grid_, rate_planes_[chemical], rate);
     ++rates_version_;
 }
@@ -183,7 +184,7 @@ Snapshot LatticeState::read() const {
     auto rates = rates_.download<double>(grid_);
     for (std::size_t i = 0; i < plan_.rates.size(); ++i) {
         const bool own = rate_planes_[i] != no_plane;
-        const double rate = session_.is_double() ? uniform_rates_[i] : double{static_cast<float>(uniform_rates_[i])};
+        const double rate = session_.is_double() ? uniform_rates_[i] : double{in_precision<float>(uniform_rates_[i])};
         state.diff.push_back(own ? std::move(rates[rate_planes_[i]]) : std::vector<double>(grid_.cells(), rate));
     }
     state.mappings = mappings_.download<double>(grid_);

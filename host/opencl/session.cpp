@@ -1,6 +1,7 @@
 // See session.hpp.
 #include "opencl/session.hpp"
 
+#include "core/subnormal.hpp"
 #include "opencl/cl_error.hpp"
 #include "opencl/program.hpp"
 
@@ -12,6 +13,7 @@ namespace pelage {
 
 Session::Session(DeviceInfo info, OpenclOptions options) : info_(std::move(info)), options_(std::move(options)) {
     with_device(info_.name, [&] {
+        const SubnormalsAreZero scope(!is_double());  // see list_devices()
         device_ = cl::Device(static_cast<cl_device_id>(info_.id), true);
         context_ = cl::Context(device_);
         queue_ = cl::CommandQueue(context_, device_);
@@ -21,7 +23,7 @@ Session::Session(DeviceInfo info, OpenclOptions options) : info_(std::move(info)
 
 std::string Session::build_options() const {
     std::string text = "-cl-std=CL1.2";
-    if (is_double()) text += " -DPELAGE_DOUBLE";
+    text += is_double() ? " -DPELAGE_DOUBLE" : " -cl-denorms-are-zero";
     if (options_.fast) return text + " -DPELAGE_FAST -cl-fast-relaxed-math";
     if (info_.correctly_rounded_divide_sqrt) text += " -cl-fp32-correctly-rounded-divide-sqrt";
     return text;

@@ -10,6 +10,7 @@
 
 #include <algorithm>
 #include <array>
+#include <functional>
 #include <limits>
 #include <string_view>
 
@@ -64,13 +65,13 @@ std::vector<Setting> settings_of(const CellCase& one, const Place& place) {
     return settings;
 }
 
-// `pairs`: cells whose values are averaged after each step.
+// `touch` changes the first state to what no prepattern can make.
 Outcome check_cells(const CellCase& one, Place& place, const std::vector<Setting>& settings,
-                    const decltype(Snapshot::mirrors)& pairs = {}) {
+                    const std::function<void(Snapshot&)>& touch = {}) {
     Outcome outcome;
     const Experiment experiment = parse_experiment(one.text(), one.name, ".");
     Snapshot initial = initial_state(experiment);
-    initial.mirrors = pairs;
+    if (touch) touch(initial);
     const std::uint64_t last = place.small() ? small_iterations : iterations;
     const std::size_t count = place.small() ? 1 : settings.size();
     std::vector<Snapshot> states{initial};
@@ -98,6 +99,23 @@ const CellCase mirrored{"cells/mirror-pairs",
 
 const CellCase& case_named(std::string_view name) { return *std::ranges::find(cell_cases(), name, &CellCase::name); }
 
+// Cells whose values are averaged after each step.
+void pair_cells(Snapshot& state) { state.mirrors = {{0, 12}, {1, 11}, {11, 2}, {100, 5}, {5, 12}}; }
+
+// Subnormal numbers, in and out: values about the smallest normal number, some of them below it.
+Outcome near_zero(Place& place) {
+    const std::string& why_not = place.subnormal_difference();
+    if (!why_not.empty()) return {Verdict::skipped, {}, why_not, {}};
+    const CellCase one{"cells/near-zero",
+                       "rule always react A B scale 0.1 gray-scott f 0 k 0.06\nrule if C conc < 1e-40 polarize A conc\n"
+                       "rule always change C conc -1e-39\n"};
+    return check_cells(one, place, {{}}, [](Snapshot& state) {
+        for (auto& plane : state.conc) {
+            for (double& value : plane) value = (value - 1) * 0x1p-126;
+        }
+    });
+}
+
 Outcome finds_what_is_not_finite(Place& place) {
     Outcome outcome;
     const CellCase& one = cell_cases().front();
@@ -124,9 +142,8 @@ std::vector<Check> cell_checks() {
         const auto run = [&one](Place& place) { return check_cells(one, place, settings_of(one, place)); };
         checks.push_back({one.name, one.divides() ? "division" : "cell step", quick(one.name), run});
     }
-    checks.push_back({"cells/mirror-pairs", "cell step", true, [](Place& place) {
-                          return check_cells(mirrored, place, {{}}, {{0, 12}, {1, 11}, {11, 2}, {100, 5}, {5, 12}});
-                      }});
+    checks.push_back({"cells/mirror-pairs", "cell step", true,
+                      [](Place& place) { return check_cells(mirrored, place, {{}}, pair_cells); }});
     checks.push_back({"cells/spatial-sorting", "neighbour search", true, [](Place& place) {
                           return check_cells(mirrored, place, {{.search = NeighbourSearch::spatial_sorting}});
                       }});
@@ -134,6 +151,8 @@ std::vector<Check> cell_checks() {
                           return check_cells(case_named("cells/at-one-place"), place,
                                              {{.search = NeighbourSearch::spatial_sorting}});
                       }});
+
+    checks.push_back({"cells/near-zero", "special values", true, near_zero});
     checks.push_back({"cells/not-finite", "not finite", true, finds_what_is_not_finite});
     return checks;
 }

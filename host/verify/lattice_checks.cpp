@@ -26,7 +26,7 @@ constexpr std::uint64_t quick_iterations = 50;
 constexpr std::size_t many_sizes = 10;
 
 // The cases that the quick form runs: each kernel path once, in the fewest programs.
-constexpr std::array<std::string_view, 20> quick_cases{"diffusion/nine-point/no-flux",
+constexpr std::array<std::string_view, 21> quick_cases{"diffusion/nine-point/no-flux",
                                                        "diffusion/nine-point/wrap",
                                                        "diffusion/nine-point/absorbing",
                                                        "diffusion/moore/wrap",
@@ -45,6 +45,7 @@ constexpr std::array<std::string_view, 20> quick_cases{"diffusion/nine-point/no-
                                                        "rules/chains/published",
                                                        "growth/plain/absorbing",
                                                        "growth/by/wrap",
+                                                       "values/denormal/published",
                                                        "sizes/many-rows"};
 // Of these also with a second work-group size, and fused.
 constexpr std::array<std::string_view, 2> quick_groups{"diffusion/nine-point/no-flux", "diffusion/published/open"};
@@ -82,19 +83,15 @@ Snapshot first_state(const Case& one, const Experiment& experiment) {
     return state;
 }
 
-bool keeps_denormals(Place& place) {
-    return (place.session().device().getInfo<CL_DEVICE_SINGLE_FP_CONFIG>() & CL_FP_DENORM) != 0;
-}
-
 class LatticeCheck {
 public:
     // `fewer`: of many sizes every second, which are enough beside another check of the same case.
     LatticeCheck(const Case& one, Place& place, bool fewer = false) : case_(one), place_(place), fewer_(fewer) {}
 
     Outcome run(const std::vector<Setting>& settings) {
-        if (case_.name.starts_with("values/") && !keeps_denormals(place_)) {
+        if (case_.name.starts_with("values/") && !place_.subnormal_difference().empty()) {
             outcome_.verdict = Verdict::skipped;
-            outcome_.message = "the device has no denormal numbers";
+            outcome_.message = place_.subnormal_difference();
             return std::move(outcome_);
         }
         run_sizes(settings);

@@ -96,7 +96,7 @@ FAULTS = [
      "PELAGE_GATHER(polarity, 1)"),
     ("mirror pairs take the difference", "kernels/cells_mirror.cl", "(conc[base + a] + conc[base + b]) / 2",
      "(conc[base + a] - conc[base + b]) / 2"),
-    ("infinity taken for a number", "kernels/non_finite.cl", "(as_uint(v) & 0x7f800000u) != 0x7f800000u",
+    ("infinity taken for a number", "kernels/prelude.cl", "(as_uint(v) & 0x7f800000u) != 0x7f800000u",
      "(as_uint(v) & 0x7fffffffu) <= 0x7f800000u"),
     # Fused steps
     ("mirrored rows off by one in a fused pass", "kernels/lattice_margins.cl", "if (i < 0) i = -1 - i;", "if (i < 0) i = -i;"),

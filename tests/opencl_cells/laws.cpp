@@ -220,6 +220,24 @@ TEST_CASE("free cells: the first value that is not finite is found") {
     CHECK(tissue->non_finite()->cell == 50);
 }
 
+TEST_CASE("free cells: a NaN is found in fast arithmetic too, whose compiler may take all for finite") {
+    const auto experiment = test::experiment(growing);
+    OpenclOptions fast;
+    fast.fast = true;
+    const auto tissue = with_options(fast);
+    Snapshot state = tissue->read();
+    for (const double value : {std::numeric_limits<double>::quiet_NaN(), std::numeric_limits<double>::infinity()}) {
+        CHECK_FALSE(tissue->non_finite());
+        state.conc[1][50] = value;
+        tissue->write(state);
+        REQUIRE(tissue->non_finite());
+        CHECK(tissue->non_finite()->chemical == 1);
+        CHECK(tissue->non_finite()->cell == 50);
+        state.conc[1][50] = 1;
+        tissue->write(state);
+    }
+}
+
 TEST_CASE("free cells: what cannot run is refused") {
     const auto lattice = test::experiment("define chemical A\ncreate sqr_grid 4 4\n");
     CHECK_THROWS_AS(test::on_device(lattice), Error);
