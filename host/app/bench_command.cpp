@@ -1,6 +1,7 @@
 // `pelage bench`: how fast each backend is on this machine, against each other and against what the machine can do.
 #include "app/commands.hpp"
 #include "app/prepare.hpp"
+#include "app/say.hpp"
 #include "bench/guard.hpp"
 #include "bench/measure.hpp"
 #include "bench/options.hpp"
@@ -30,8 +31,8 @@ struct BenchOptions {
 };
 
 // A line that the next one replaces on a terminal; in a log nothing but the results is wanted.
-void say(const std::string& text) {
-    if (isatty(STDERR_FILENO) != 0) fmt::print(stderr, "\r\x1b[K{}", text);
+void show(const std::string& text) {
+    if (isatty(STDERR_FILENO) != 0) say(stderr, "\r\x1b[K{}", text);
 }
 
 void write_json(const BenchOptions& options, const bench::Report& report, bool complete) {
@@ -47,8 +48,8 @@ void keep(const BenchOptions& options, const bench::Report& report) {
 }
 
 int finish(const BenchOptions& options, const bench::Report& report) {
-    if (isatty(STDERR_FILENO) != 0) fmt::print(stderr, "\r\x1b[K");
-    fmt::print("{}", bench::tables(report));
+    if (isatty(STDERR_FILENO) != 0) say(stderr, "\r\x1b[K");
+    say("{}", bench::tables(report));
     if (!options.json.empty()) write_json(options, report, true);
     if (!options.plot.empty()) bench::plot(report, options.plot);
     const bool wrong = std::ranges::any_of(report.notes, [](const bench::Note& note) { return note.wrong; });
@@ -57,7 +58,7 @@ int finish(const BenchOptions& options, const bench::Report& report) {
 
 int bench_all(const BenchOptions& options) {
     return finish(options,
-                  bench::measure(options.what, say, [&](const bench::Report& report) { keep(options, report); }));
+                  bench::measure(options.what, show, [&](const bench::Report& report) { keep(options, report); }));
 }
 
 // The shares of several calls under the yardsticks of the first.
@@ -79,11 +80,11 @@ int bench_guard(const BenchOptions& options) {
             join(all, so_far);
             keep(options, all);
         };
-        join(report, bench::measure(part, say, keep_all));
+        join(report, bench::measure(part, show, keep_all));
     }
     const int exit_code = finish(options, report);
     const bench::Verdict verdict = bench::judge(guard, bench::ratios(report));
-    fmt::print("\n{}", verdict.text);
+    say("\n{}", verdict.text);
     return verdict.kept ? exit_code : failed_check;
 }
 

@@ -63,6 +63,11 @@ Machine on_opencl(const RunOptions& options, const Experiment& experiment, const
 
 }  // namespace
 
+Worked worked(const Machine& machine) {
+    if (!machine.opencl) return Worked::by_reference;
+    return machine.info.type == "cpu" ? Worked::in_main_memory : Worked::on_a_card;
+}
+
 Machine choose_machine(const RunOptions& options, const Experiment& experiment, const Footprint& footprint) {
     if (options.backend == "reference") return on_reference(options, experiment);
     const char* variable = std::getenv("PELAGE_DEVICE");

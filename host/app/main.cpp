@@ -1,5 +1,7 @@
 // The `pelage` command: picks the subcommand and turns every error into one sentence and an exit code.
 #include "app/commands.hpp"
+#include "app/last_will.hpp"
+#include "app/say.hpp"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -7,8 +9,6 @@
 #include <CLI/Formatter.hpp>
 
 #include <algorithm>
-#include <cstdio>
-#include <cstdlib>
 #include <exception>
 #include <new>
 #include <string>
@@ -17,7 +17,7 @@
 namespace {
 
 int complain(const std::string& text) {
-    std::fputs(("pelage: " + text + "\n").c_str(), stderr);
+    pelage::app::say(stderr, "pelage: {}\n", text);
     return pelage::app::bad_input;
 }
 
@@ -54,15 +54,16 @@ int run(int argc, char** argv) {
     pelage::app::add_tune(app, exit_code);
     const int parsed = parse(app, argc, argv);
     if (parsed != pelage::app::success) return parsed;
-    if (std::fflush(stdout) != 0) return complain("standard output cannot be written");
+    // A run's results are files, and these are whole.
+    if (!pelage::app::printed() && !app.got_subcommand("run")) return complain("standard output cannot be written");
     return exit_code;
 }
 
 }  // namespace
 
 int main(int argc, char** argv) {
-    // PoCL reads this when the OpenCL loader starts: without it both of its threads may share a core.
-    setenv("POCL_AFFINITY", "1", 0);
+    pelage::app::prepare_printing();
+    pelage::app::tidy_when_killed();
     try {
         return run(argc, argv);
     } catch (const std::bad_alloc&) {

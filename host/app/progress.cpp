@@ -1,6 +1,8 @@
 // See progress.hpp.
 #include "app/progress.hpp"
 
+#include "app/say.hpp"
+
 #include <fmt/format.h>
 #include <sys/ioctl.h>
 #include <unistd.h>
@@ -75,15 +77,14 @@ void Progress::show(const std::string& phase, std::uint64_t iteration, double up
     const double left = done > 0 ? seconds * static_cast<double>(last_ - iteration) / done : INFINITY;
     const std::string line =
         progress_line(phase, iteration, last_, left, updates / seconds, bar ? terminal_width() : 0);
-    fmt::print(stderr, "{}{}{}", bar ? "\r\x1b[K" : "", line, bar ? "" : "\n");
+    say(stderr, "{}{}{}", bar ? "\r\x1b[K" : "", line, bar ? "" : "\n");
     std::fflush(stderr);
     drawn_ = bar;
 }
 
 void Progress::clear() {
     if (!drawn_) return;
-    std::fputs("\r\x1b[K", stderr);
-    std::fflush(stderr);
+    put(stderr, "\r\x1b[K");
     drawn_ = false;
 }
 

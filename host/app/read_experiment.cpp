@@ -1,6 +1,7 @@
 // See read_experiment.hpp.
 #include "app/read_experiment.hpp"
 
+#include "app/say.hpp"
 #include "language/parse.hpp"
 
 #include <fmt/format.h>
@@ -30,7 +31,7 @@ Experiment read_experiment(const std::filesystem::path& file, Outline* outline) 
 }
 
 void print_warnings(const Experiment& experiment, const std::vector<Warning>& warnings) {
-    for (const Warning& warning : warnings) fmt::print(stderr, "pelage: {}\n", shown(experiment, warning));
+    for (const Warning& warning : warnings) say(stderr, "pelage: {}\n", shown(experiment, warning));
 }
 
 }  // namespace pelage::app

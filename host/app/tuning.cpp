@@ -2,6 +2,7 @@
 #include "app/tuning.hpp"
 
 #include "app/own_program.hpp"
+#include "app/say.hpp"
 #include "app/self_check.hpp"
 #include "core/error.hpp"
 #include "opencl/cache.hpp"
@@ -134,14 +135,14 @@ void tune_machine(const RunOptions& options, const Prepared& prepared, const Sna
         std::optional<Tuning> tuning = found(job, seconds);
         if (!tuning) return;
         const Candidate chosen = proven(job, options, start, tuning->record);
-        if (!options.quiet) fmt::print(stderr, "{}\n", told(*tuning, chosen));
+        if (!options.quiet) say(stderr, "{}\n", told(*tuning, chosen));
         if (chosen == Candidate{}) return;
         const OpenclOptions own = applied(chosen, *machine.opencl);
         machine.backend = opencl_backend(own);
         machine.opencl = own;
         machine.tuning = chosen.text();
     } catch (const Error& error) {  // the run itself may do well without
-        if (!options.quiet) fmt::print(stderr, "tuning: the defaults ({})\n", error.what());
+        if (!options.quiet) say(stderr, "tuning: the defaults ({})\n", error.what());
     }
 }
 

@@ -1,7 +1,9 @@
 // See device.hpp.
 #include "opencl/device.hpp"
 
+#include "core/allowance.hpp"
 #include "opencl/cl_error.hpp"
+#include "opencl/pocl.hpp"
 
 #include <fmt/format.h>
 
@@ -98,6 +100,7 @@ DeviceInfo describe(const cl::Device& device, const std::string& platform, const
         if (info.type.empty()) info.type = "other";
         info.unusable = failure_of(error);
     }
+    if (info.unusable.empty() && platform == pocl_platform) info.unusable = pocl_trouble();
     return info;
 }
 
@@ -133,6 +136,7 @@ std::vector<cl::Device> devices_of(const cl::Platform& platform) {
 }
 
 std::string listing(const std::vector<DeviceInfo>& devices) {
+    if (devices.empty() && !pocl_trouble().empty()) return "no OpenCL device is there: " + pocl_trouble();
     if (devices.empty()) return "no OpenCL device is there; install a driver, such as pocl-opencl-icd";
     std::string text = "devices here:";
     for (const DeviceInfo& device : devices) {
@@ -189,7 +193,13 @@ bool DeviceInfo::software_rasteriser() const {
 
 bool DeviceInfo::watches_memory() const { return platform == "Oclgrind"; }
 
+std::size_t DeviceInfo::running_units() const {
+    const std::size_t units = std::max<std::size_t>(1, compute_units);
+    return type == "cpu" ? std::min(units, usable_processors()) : units;
+}
+
 std::vector<DeviceInfo> list_devices() {
+    prepare_pocl();
     std::vector<DeviceInfo> devices;
     std::vector<DeviceInfo> broken;  // last, so that they move nobody else's index
     for (const cl::Platform& platform : list_platforms()) {

@@ -35,6 +35,10 @@ struct DeviceInfo {
     // Watches every access itself (Oclgrind): guard zones would hide from it what lies outside a buffer, and filling
     // memory what was never written.
     bool watches_memory() const;
+
+    // Work-groups that can run at once, and so may wait for each other: the compute units, but on a CPU not more than
+    // this process has processors.
+    std::size_t running_units() const;
 };
 
 // All devices of all platforms, in the loader's order. A device that fails while being queried is listed with the

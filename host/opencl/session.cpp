@@ -2,6 +2,7 @@
 #include "opencl/session.hpp"
 
 #include "opencl/cl_error.hpp"
+#include "opencl/pocl_programs.hpp"
 #include "opencl/program.hpp"
 
 #include <fmt/format.h>
@@ -17,6 +18,12 @@ Session::Session(DeviceInfo info, OpenclOptions options) : info_(std::move(info)
         queue_ = cl::CommandQueue(context_, device_);
         if (options_.guarded && !info_.watches_memory()) guards_ = std::make_unique<Guards>(context_, queue_, device_);
     });
+}
+
+Session::~Session() {
+    // Launches that nobody waited for may still be compiled: a process that ends meanwhile is aborted.
+    if (queue_() != nullptr) clFinish(queue_());
+    if (options_.use_cache) keep_compiled(*this);
 }
 
 std::string Session::build_options() const {
