@@ -187,7 +187,12 @@ std::vector<Case> growth_cases() {
     tissues.whole = 1'000;
     tissues.bytes = cell_cases().front().bytes;
     tissues.flops = cell_cases().front().flops;
-    return {matrix, tissues};
+    Case seedling = tissues;
+    seedling.name = "small-division";
+    seedling.sizes = {100, 300, 1'000};
+    seedling.quick_sizes = {100};
+    seedling.whole = 3'000;
+    return {matrix, tissues, seedling};
 }
 
 }  // namespace

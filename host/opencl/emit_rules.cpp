@@ -183,6 +183,7 @@ private:
 
     void act(const Divide& divide) {
         out_.use.polarity = true;
+        out_.use.divides = true;
         const std::string degrees = deviated(divide.direction, divide.deviation);
         guarded([&] { line(fmt::format("DIVIDE({}, {}, {}, {});", divide_, place_, truth(), degrees)); });
     }

@@ -41,6 +41,7 @@ struct RuleUse {                                // what the emitted rules need o
     std::set<Quantity> quantities;    // those read that are neither numbers nor indexed
     bool random = false;
     bool polarity = false;  // some rule moves or divides
+    bool divides = false;
 
     bool operator==(const RuleUse&) const = default;
 };

@@ -71,7 +71,7 @@ FAULTS = [
      "if (dx * dx + dy * dy < square && other != self)", "if (dx * dx + dy * dy <= square && other != self)"),
     ("bins on the right not searched", "kernels/neighbours_lists.cl", "min(column + 1, grid.columns - 1)",
      "min(column, grid.columns - 1)"),
-    ("lists in descending order", "kernels/neighbours_lists.cl", "ids[list[(k - gap) * PELAGE_BLOCK]] > id",
+    ("lists in descending order", "kernels/list.cl", "ids[list[(k - gap) * PELAGE_BLOCK]] > id",
      "ids[list[(k - gap) * PELAGE_BLOCK]] < id"),
     ("what lies past the end of a full list written last", "kernels/neighbours_lists.cl",
      "    PELAGE_STORE4(sf, se, sd, sc)\n    PELAGE_STORE4(sb, sa, s9, s8)\n"
@@ -89,7 +89,7 @@ FAULTS = [
     ("wall on one side only", "kernels/cells_step.cl",
      "SELECT(new_y < R(-half_height), R(-half_height), SELECT(new_y > R(half_height), R(half_height), new_y))",
      "SELECT(new_y > R(half_height), R(half_height), new_y)"),
-    ("stale lists not noticed", "kernels/cells_step.cl", "ways[lane] > longest_way", "ways[lane] > 100 * longest_way"),
+    ("stale lists not noticed", "kernels/cells_step.cl", "> R(longest_way)", "> R(100 * longest_way)"),
     ("child looks the wrong way", "kernels/cells_divide.cl", "x * sine + y * cosine", "x * sine - y * cosine"),
     ("marks of division not cleared", "kernels/cells_divide.cl", "        divides[id] = 0;\n", ""),
     ("polarity of a cell lost while sorting", "kernels/cells_gather.cl", "PELAGE_GATHER(polarity, 2)",
