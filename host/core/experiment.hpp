@@ -297,10 +297,24 @@ struct Colormap {
     std::vector<ColourStop> stops;  // for striped and gradient at slot / 99; for "stops" as written
 };
 
+enum class Drawing {
+    colours,  // through the colormap
+    height,   // shades of grey, 16 bits: black at the low end of the range, white at the high one
+    normal    // directions of a surface whose height is the chemical's amount times Output::strength, in cells
+};
+
 struct Output {  // one picture
     std::size_t chemical = 0;
     Colormap colormap;
     std::optional<std::array<double, 2>> range;  // drawn from low to high colour; empty: minimum to maximum
+    bool own_range = false;                      // of each picture; else all snapshots of a run share theirs
+    Drawing drawing = Drawing::colours;
+    double strength = 1.0;  // of a normal map
+};
+
+struct InputFile {       // a picture, an array or a shape that the experiment starts from
+    std::string name;    // as the experiment says it
+    std::string sha256;  // of its bytes; empty: it was not read, as a resumed run does not need it
 };
 
 struct Experiment {
@@ -321,7 +335,8 @@ struct Experiment {
     std::vector<std::uint64_t> snap_at;  // ascending, without doubles
     bool exit_after_snaps = false;       // end at the last snapshot even if stop_at is later
 
-    std::vector<Output> outputs;  // at least one: the first names final.png
+    std::vector<Output> outputs;  // at least one of colours: the first of those is final.png
+    std::vector<InputFile> inputs;
     std::optional<std::array<std::size_t, 2>> texture;
     double zoom = 1.0;
 
@@ -329,7 +344,8 @@ struct Experiment {
 
     std::size_t chemical(const std::string& name) const;  // throws Error naming those defined
     const Phase& phase_at(std::uint64_t iteration) const;
-    std::uint64_t last_iteration() const;  // where a whole run ends
+    std::uint64_t last_iteration() const;           // where a whole run ends
+    double time_at(std::uint64_t iteration) const;  // the time steps of all iterations before it, added up
     std::int64_t run_seed() const;  // key of the draws made during the run: seed, else the last `use seed`, else 1
 };
 

@@ -50,7 +50,7 @@ void write_vtp(const std::filesystem::path& path, const Snapshot& snapshot, cons
                Precision precision) {
     check_shape(snapshot, experiment);
     AtomicFile file(path);
-    open_vtk(file, "PolyData", snapshot.iteration);
+    open_vtk(file, "PolyData", experiment.time_at(snapshot.iteration), snapshot.iteration);
     file.write(
         fmt::format("<Piece NumberOfPoints=\"{0}\" NumberOfVerts=\"{0}\" NumberOfLines=\"0\" NumberOfStrips=\"0\" "
                     "NumberOfPolys=\"0\">\n",
