@@ -199,6 +199,12 @@ std::vector<Field> interpolate(const Snapshot& cells, const std::vector<std::vec
     return result;
 }
 
+std::array<double, 2> texel_size(const Snapshot& cells, std::size_t columns, std::size_t rows) {
+    const auto window =
+        cells.lattice() ? lattice_window(cells, columns, rows, false) : cells_window(cells, columns, rows);
+    return {window.width, window.height};
+}
+
 bool wraps(const Experiment& experiment) {
     return std::visit(Overloaded{[](const Lattice& lattice) { return lattice.boundary == Boundary::wrap; },
                                  [](const FreeCells&) { return false; }},

@@ -36,6 +36,7 @@ Experiment Script::finish() {
     check_contents();
     check_arrangement();
     check_pictures();
+    check_maps();
     check_growth();
     finish_outputs();
     validate(experiment);
@@ -78,6 +79,12 @@ void Script::check_pictures() const {
     }
 }
 
+void Script::check_maps() const {
+    if (!draws_map_ || experiment.texture || std::holds_alternative<Lattice>(space_of(experiment))) return;
+    throw error_at(experiment.source, draws_map_->place,
+                   "free cells make no height or normal map by themselves; add 'texture size WIDTH HEIGHT'");
+}
+
 void Script::check_growth() const {
     if (expansions_.empty()) return;
     const auto matrix = std::get<Lattice>(space_of(experiment));
@@ -114,7 +121,9 @@ void Script::finish_outputs() {
         pending.output.colormap = colormap(pending.colormap.value_or(selected));
         experiment.outputs.push_back(pending.output);
     }
-    if (experiment.outputs.empty()) experiment.outputs.push_back({0, colormap(selected), std::nullopt});
+    const auto& all = experiment.outputs;
+    if (std::any_of(all.begin(), all.end(), [](const Output& one) { return one.drawing == Drawing::colours; })) return;
+    experiment.outputs.insert(experiment.outputs.begin(), Output{0, colormap(selected), std::nullopt});
 }
 
 }  // namespace pelage::language

@@ -3,6 +3,7 @@
 
 #include "core/experiment.hpp"
 #include "language/cursor.hpp"
+#include "language/parse.hpp"
 
 #include <array>
 #include <cstddef>
@@ -40,7 +41,7 @@ struct Picture {  // the initial state of a chemical
 
 class Script {
 public:
-    Script(const std::string& text, const std::string& source, std::filesystem::path folder);
+    Script(const std::string& text, const std::string& source, std::filesystem::path folder, StartPictures);
 
     Experiment experiment;
 
@@ -52,6 +53,7 @@ public:
     std::vector<std::string_view> chemical_names() const;
 
     std::filesystem::path resolve(std::string_view file_name) const;
+    StartPictures pictures() const { return start_pictures_; }
 
     // ---- cells
     std::size_t cells() const { return cells_; }
@@ -79,6 +81,7 @@ public:
     void needs_lattice(const Cursor&, const Token& at);
     void expands(const Cursor&, const Token& at);          // once for each `expand`, in order
     void shows_picture(const Cursor&, const Token& file);  // of the chemical defined next
+    void draws_map(const Cursor&, const Token& at);        // a height or normal map
     void at_line(std::size_t line) { line_ = line; }
 
     // Defaults, what only the whole file can show, and validate().
@@ -89,10 +92,12 @@ private:
     void check_contents() const;
     void check_arrangement() const;
     void check_pictures() const;
+    void check_maps() const;
     void check_growth() const;
     void finish_outputs();
 
     std::filesystem::path folder_;
+    StartPictures start_pictures_;
     std::size_t cells_ = 0;
     Phase before_;
     std::uint64_t phase_end_ = forever;
@@ -102,6 +107,7 @@ private:
     std::optional<Demand> needs_lattice_;
     std::vector<Place> expansions_;
     std::vector<Picture> pictures_;
+    std::optional<Demand> draws_map_;
     std::size_t line_ = 0;  // the last one
 };
 
