@@ -1,4 +1,5 @@
 // `pelage check FILE...`: reads experiments without running them.
+#include "app/change_notes.hpp"
 #include "app/commands.hpp"
 #include "app/read_experiment.hpp"
 #include "core/counted.hpp"
@@ -45,7 +46,10 @@ std::size_t check_file(const std::string& file, bool explain) {
                warnings.empty() ? "" : "; " + counted(warnings.size(), "warning"));
     std::fflush(stdout);  // the warnings come after the line of their file
     print_warnings(experiment, warnings);
-    if (explain) explain_fusion(experiment);
+    if (explain) {
+        for (const std::string& note : change_notes(experiment)) fmt::print("  {}\n", note);
+        explain_fusion(experiment);
+    }
     return warnings.size();
 }
 
@@ -72,8 +76,10 @@ void add_check(CLI::App& app, int& exit_code) {
         ->required()
         ->type_name("");
     command->add_flag("--strict", options->strict, "Exit code 1 where there are warnings");
-    command->add_flag("--explain", options->explain,
-                      "Say of lattices which iterations are fused on CPUs, and why others are not");
+    command->add_flag(
+        "--explain", options->explain,
+        "Say of lattices which iterations are fused on CPUs, and why others are not; and what `change` adds in a "
+        "unit of time");
     command->callback([options, &exit_code] { exit_code = check(*options); });
 }
 

@@ -23,6 +23,9 @@ struct Prepared {
 // past the end of the run.
 Prepared prepare(const RunOptions&);
 
+// Throws Error when --format asks for an EXR picture that the tissue does not make.
+void check_formats(const RunOptions&, const Experiment&);
+
 // Throws Error naming phase, chemical, rate and the largest time step that holds.
 void check_stability(const Experiment&, const Snapshot& initial);
 

@@ -4,6 +4,8 @@
 #include "app/runner.hpp"
 #include "io/results.hpp"
 
+#include <fmt/format.h>
+#include <fmt/ranges.h>
 #include <CLI/Config.hpp>
 #include <CLI/Formatter.hpp>
 
@@ -97,6 +99,13 @@ void add_result_options(CLI::App& command, RunOptions& options) {
         ->type_name("LIST")
         ->each([](const std::string& list) { parse_formats(list); });
     command
+        .add_option("--exr-type", options.exr_type, "Numbers of 32 bits (float) or 16 (half) in EXR. Default: float")
+        ->type_name("float|half")
+        ->check(one_of({"float", "half"}));
+    command.add_option("--png-bits", options.png_bits, "Bits a channel of PNG pictures: 8 or 16. Default: 8")
+        ->type_name("8|16")
+        ->check(one_of({"8", "16"}));
+    command
         .add_option("--snap-every", options.snap_every,
                     "Write ITERATION.* every N iterations from 0 on, beside the experiment's own snapshots")
         ->type_name("N")
@@ -113,6 +122,18 @@ void add_result_options(CLI::App& command, RunOptions& options) {
     command.add_flag("--quiet", options.quiet, "Say nothing but errors");
 }
 
+// Every option the command has, so that the manifest can never miss one.
+std::vector<OptionGiven> options_given(const CLI::App& command) {
+    std::vector<OptionGiven> all;
+    for (const CLI::Option* option : command.get_options()) {
+        if (option->get_single_name() == "help") continue;
+        OptionGiven one{option->get_single_name(), option->get_items_expected_max() == 0, std::nullopt};
+        if (option->count() > 0) one.value = fmt::format("{}", fmt::join(option->results(), ","));
+        all.push_back(std::move(one));
+    }
+    return all;
+}
+
 }  // namespace
 
 void add_run(CLI::App& app, int& exit_code) {
@@ -122,8 +143,9 @@ void add_run(CLI::App& app, int& exit_code) {
     add_machine_options(*command, *options);
     add_course_options(*command, *options);
     add_result_options(*command, *options);
-    command->callback([options, &app, &exit_code] {
+    command->callback([options, command, &app, &exit_code] {
         options->command = app.get_name();
+        options->given = options_given(*command);
         exit_code = run_experiment(*options);
     });
 }

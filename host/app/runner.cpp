@@ -31,6 +31,10 @@ Timetable timetable(const RunOptions& options, const Prepared& prepared) {
     return {prepared.last, prepared.experiment.snap_at, options.snap_every, options.checkpoint_every};
 }
 
+std::optional<std::uint64_t> resumed_at(const Prepared& prepared) {
+    return prepared.resumed ? std::optional(prepared.resumed->iteration) : std::nullopt;
+}
+
 class Run {
 public:
     Run(const RunOptions& options, const Prepared& prepared, const Machine& machine, Tissue& tissue)
@@ -39,8 +43,9 @@ public:
           tissue_(tissue),
           guard_(tissue),
           times_(timetable(options, prepared)),
-          recorder_(options, prepared.experiment, machine),
-          progress_(Progress::fitting_style(options.quiet), tissue.iteration(), prepared.last) {
+          progress_(Progress::fitting_style(options.quiet), tissue.iteration(), prepared.last),
+          recorder_(options, prepared.experiment, machine, resumed_at(prepared),
+                    [this](const std::string& file, bool large) { progress_.writing(file, large); }) {
         tally_.started_at = tissue.iteration();
     }
 
@@ -160,6 +165,8 @@ private:
         const Snapshot state = read();
         guarded(state, [&] {
             recorder_.results(state);
+            recorder_.settle();
+            progress_.clear();
             recorder_.manifest(state, tally_, "finished");
         });
         say("{} iterations of {} cells in {:.3g} s: {} million cell-updates a second\n",
@@ -186,6 +193,8 @@ private:
         progress_.clear();
         const Snapshot state = read();
         const std::filesystem::path saved = recorder_.dump(state);
+        recorder_.settle();
+        progress_.clear();
         recorder_.manifest(state, tally_, "non-finite");
         fmt::print(stderr, "pelage: {}: {}; the state is in {}\n", experiment_.source, describe(breakdown, tissue_),
                    saved.string());
@@ -198,8 +207,8 @@ private:
     FiniteGuard guard_;
     Timetable times_;
     BatchSize size_;
-    Recorder recorder_;
     Progress progress_;
+    Recorder recorder_;
     Tally tally_;
     std::optional<std::uint64_t> safe_;  // the iteration of this run's latest checkpoint
 };
@@ -235,6 +244,7 @@ bool trusted(const RunOptions& options, const Prepared& prepared, const Machine&
 int run_experiment(const RunOptions& options) {
     const Prepared prepared = prepare(options);
     warn(options, prepared);
+    check_formats(options, prepared.experiment);
     const Footprint needed = footprint(prepared.experiment, prepared.last, options.precision);
     check_host_memory(prepared.experiment, needed, host_memory());
     Machine machine = choose_machine(options, prepared.experiment, needed);

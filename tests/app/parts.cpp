@@ -84,7 +84,7 @@ TEST_CASE("the printed command is quoted for the shell") {
     CHECK(shell_quoted("out/a-1.pex") == "out/a-1.pex");
     CHECK(resume_command(options, "out/c.pelage", -3) ==
           "pelage run 'it'\\''s here.pex' --backend opencl --precision double --iterations 500 --seed -3 "
-          "--out 'out/it'\\''s here' --format exr,png --snap-every 10 --fast --resume out/c.pelage");
+          "--out 'out/it'\\''s here' --snap-every 10 --fast --resume out/c.pelage");
 }
 
 TEST_CASE("the memory a run needs counts its growth") {
