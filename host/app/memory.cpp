@@ -1,6 +1,7 @@
 // See memory.hpp.
 #include "app/memory.hpp"
 
+#include "core/counted.hpp"
 #include "core/error.hpp"
 #include "core/forecast.hpp"
 
@@ -40,16 +41,18 @@ void check_host_memory(const Experiment& experiment, const Footprint& footprint,
                                 footprint.cells, largest_cell_count));
     }
     if (footprint.host > available) {
-        throw Error(fmt::format("{}: {:.0f} cells with {} chemicals need about {} of memory; there are {}",
-                                experiment.source, footprint.cells, experiment.chemicals.size(),
-                                readable_bytes(footprint.host), readable_bytes(available)));
+        throw Error(fmt::format("{}: {:.0f} {} with {} need about {} of memory; there are {}", experiment.source,
+                                footprint.cells, footprint.cells == 1 ? "cell" : "cells",
+                                counted(experiment.chemicals.size(), "chemical"), readable_bytes(footprint.host),
+                                readable_bytes(available)));
     }
 }
 
 std::string why_not_on_device(const Footprint& footprint, double available) {
     if (footprint.device <= available) return {};
-    return fmt::format("{:.0f} cells need about {} on the device, which has {}", footprint.cells,
-                       readable_bytes(footprint.device), readable_bytes(available));
+    return fmt::format("{:.0f} {} about {} on the device, which has {}", footprint.cells,
+                       footprint.cells == 1 ? "cell needs" : "cells need", readable_bytes(footprint.device),
+                       readable_bytes(available));
 }
 
 std::string readable_bytes(double bytes) {

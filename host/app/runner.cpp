@@ -162,8 +162,8 @@ private:
             recorder_.results(state);
             recorder_.manifest(state, tally_, "finished");
         });
-        say("{} iterations of {} cells in {:.3g} s: {} million cell-updates a second\n",
-            grouped(state.iteration - tally_.started_at), grouped(state.cells()), tally_.seconds,
+        say("{} of {} in {:.3g} s: {} million cell-updates a second\n",
+            counted(state.iteration - tally_.started_at, "iteration"), counted(state.cells(), "cell"), tally_.seconds,
             megas(tally_.updates_per_second()));
         for (const std::string& note : tally_.notes) {
             if (options_.explain) fmt::print("{}\n", note);
@@ -206,8 +206,8 @@ private:
 
 void announce(const RunOptions& options, const Prepared& prepared, const Machine& machine, const Tissue& tissue) {
     if (options.quiet) return;
-    fmt::print(stderr, "{}: {} cells, iterations {} to {}, seed {}\n", prepared.experiment.source,
-               grouped(tissue.cells()), grouped(tissue.iteration()), grouped(prepared.last),
+    fmt::print(stderr, "{}: {}, iterations {} to {}, seed {}\n", prepared.experiment.source,
+               counted(tissue.cells(), "cell"), grouped(tissue.iteration()), grouped(prepared.last),
                prepared.experiment.run_seed());
     fmt::print(stderr, "backend: {} ({}), {}\n", machine.kind, machine.device,
                options.precision == Precision::double_ ? "double" : "float");

@@ -6,6 +6,7 @@
 #include "app/read_experiment.hpp"
 #include "app/tune_table.hpp"
 #include "app/tuning.hpp"
+#include "app/validators.hpp"
 #include "core/error.hpp"
 #include "io/atomic_file.hpp"
 #include "opencl/cache.hpp"
@@ -19,6 +20,7 @@
 #include <algorithm>
 #include <cstdio>
 #include <filesystem>
+#include <limits>
 #include <memory>
 #include <optional>
 #include <string>
@@ -100,7 +102,8 @@ void add_options(CLI::App& command, TuneOptions& options) {
         ->type_name("float|double")
         ->check(CLI::IsMember({"float", "double"}).description(""));
     command.add_option("--seed", options.run.seed, "Seed of all random numbers, instead of the experiment's")
-        ->type_name("N");
+        ->type_name("N")
+        ->transform(whole_number(std::numeric_limits<std::int64_t>::min(), std::numeric_limits<std::int64_t>::max()));
     command.add_flag("--fast", options.run.fast, "For runs with --fast");
     command.add_flag("--quick", options.quick, "The short search that comes before a long run: 5 seconds");
     command.add_option("--limit", options.limit, "What one candidate may take (default: 20)")

@@ -109,7 +109,8 @@ private:
             if (waiting[i].revents != 0) {
                 hear(*busy[i]);
             } else if (Clock::now() - busy[i]->worker->asked() > std::chrono::seconds(options_.limit)) {
-                give_up(*busy[i], fmt::format("did not end within {} seconds", options_.limit));
+                give_up(*busy[i], fmt::format("did not end within {} {}", options_.limit,
+                                              noun(static_cast<std::uint64_t>(options_.limit), "second")));
             }
         }
     }

@@ -2,6 +2,7 @@
 #include "app/commands.hpp"
 #include "app/prepare.hpp"
 #include "app/progress.hpp"
+#include "app/validators.hpp"
 #include "app/verification.hpp"
 #include "core/error.hpp"
 #include "io/atomic_file.hpp"
@@ -16,6 +17,7 @@
 #include <chrono>
 #include <cstdio>
 #include <filesystem>
+#include <limits>
 #include <memory>
 #include <string>
 #include <vector>
@@ -66,11 +68,9 @@ void print_failures(const verify::DeviceReport& report, const VerifyOptions& opt
 
 void print_summary(const verify::Report& report) {
     const verify::Summary sum = total(report);
-    fmt::print(
-        "\n{}: {} of {} cases passed, {} failed, {} mistrusted, {} skipped; {} cells compared, {} differ; "
-        "{:.1f} s\n",
-        word(sum.verdict()), sum.passed, sum.cases, sum.failed, sum.mistrusted, sum.skipped,
-        grouped(sum.cells_compared), grouped(sum.cells_differing), report.seconds);
+    fmt::print("\n{}: {} of {} passed, {} failed, {} mistrusted, {} skipped; {} compared, {}; {:.1f} s\n",
+               word(sum.verdict()), sum.passed, counted(sum.cases, "case"), sum.failed, sum.mistrusted, sum.skipped,
+               counted(sum.cells_compared, "cell"), counted(sum.cells_differing, "differs", "differ"), report.seconds);
 }
 
 void print_comparison(const verify::Report& report) {
@@ -133,12 +133,15 @@ void add_verify(CLI::App& app, int& exit_code) {
         ->excludes(quick);
     command->add_flag("--small", options.small, "Smallest sizes alone, for simulators");
     command->add_option("--filter", options.filter, "Only checks with this in their name")->type_name("TEXT");
-    command->add_option("--seed", options.seed, "For the checks that are drawn at random")->capture_default_str();
+    command->add_option("--seed", options.seed, "For the checks that are drawn at random")
+        ->capture_default_str()
+        ->transform(whole_number(0, std::numeric_limits<std::uint64_t>::max()));
     command->add_option("--jobs", options.jobs, "Processes at once (default: two a processor, at most 4)")
-        ->check(CLI::Range(1, 64));
+        ->type_name("N")
+        ->transform(whole_number(1, 64));
     command->add_option("--limit", options.limit, "Seconds that one check may take")
         ->capture_default_str()
-        ->check(CLI::Range(1, 86'400));
+        ->transform(whole_number(1, 86'400));
     command->add_option("--evidence", options.evidence, "Folder for pictures of differences; made when needed")
         ->type_name("DIR")
         ->capture_default_str();

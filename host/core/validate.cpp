@@ -1,4 +1,5 @@
 // validate(): what makes an experiment meaningless, whoever built it.
+#include "core/counted.hpp"
 #include "core/error.hpp"
 #include "core/experiment.hpp"
 #include "core/prepattern.hpp"
@@ -155,8 +156,8 @@ private:
         }
         check_operand(react.scale);
         if (react.parameters.size() != parameter_count(react.model)) {
-            fail(fmt::format("{} takes {} parameters; found {}", model_name(react.model), parameter_count(react.model),
-                             react.parameters.size()));
+            fail(fmt::format("{} takes {}; found {}", model_name(react.model),
+                             counted(parameter_count(react.model), "parameter"), react.parameters.size()));
         }
         for (const Operand& parameter : react.parameters) check_operand(parameter);
     }

@@ -1,6 +1,7 @@
 // See field.hpp.
 #include "io/field.hpp"
 
+#include "core/counted.hpp"
 #include "core/error.hpp"
 #include "io/file_bytes.hpp"
 #include "io/npy.hpp"
@@ -55,8 +56,8 @@ void check_picture_size(std::size_t columns, std::size_t rows, std::size_t raw_s
             fmt::format("'{}' is {} x {}; at most {} cells are allowed", name, columns, rows, largest_cell_count));
     }
     if (raw_size / largest_gain > file_size) {
-        throw Error(
-            fmt::format("'{}' is corrupted: it says {} x {} but has only {} bytes", name, columns, rows, file_size));
+        throw Error(fmt::format("'{}' is corrupted: it says {} x {} but has only {}", name, columns, rows,
+                                counted(file_size, "byte")));
     }
 }
 

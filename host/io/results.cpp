@@ -158,6 +158,15 @@ void check_outputs(const Experiment& experiment) {
 
 }  // namespace
 
+namespace {
+
+std::string without_blanks(const std::string& text) {
+    const std::size_t first = std::min(text.find_first_not_of(" \t"), text.size());
+    return text.substr(first, text.find_last_not_of(" \t") + 1 - first);
+}
+
+}  // namespace
+
 std::vector<Format> parse_formats(const std::string& list) {
     static const std::map<std::string, Format> words{{"exr", Format::exr}, {"png", Format::png}, {"npy", Format::npy},
                                                      {"csv", Format::csv}, {"vti", Format::vtk}, {"vtp", Format::vtk},
@@ -165,7 +174,7 @@ std::vector<Format> parse_formats(const std::string& list) {
     std::vector<Format> formats;
     for (std::size_t at = 0; at <= list.size();) {
         const auto end = std::min(list.find(',', at), list.size());
-        const auto word = list.substr(at, end - at);
+        const auto word = without_blanks(list.substr(at, end - at));
         const auto found = words.find(word);
         if (found == words.end())
             throw Error(fmt::format("unknown format '{}'; allowed are exr, png, npy, csv and vti", word));

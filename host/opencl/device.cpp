@@ -214,18 +214,27 @@ std::size_t choose_device(const std::vector<DeviceInfo>& devices, const std::opt
         if (word.empty()) return true;
         return is_type(word) ? device.type == word : lower(device.name).find(word) != std::string::npos;
     };
-    const std::size_t found = best(devices, fits);
+    // "pocl" is in the version alone: that platform calls itself Portable Computing Language.
+    const auto stands_on = [&](const DeviceInfo& device) {
+        return lower(device.platform + "\n" + device.platform_version).find(word) != std::string::npos;
+    };
+    std::size_t found = best(devices, fits);
+    if (found == devices.size() && !word.empty() && !is_type(word)) found = best(devices, stands_on);
     if (found < devices.size()) return found;
     if (devices.empty() && word.empty()) throw Error(listing(devices));
     if (word.empty()) throw Error("no usable OpenCL device; " + listing(devices));
-    throw Error(fmt::format("no usable OpenCL device is, or is named, '{}'; {}", word, listing(devices)));
+    throw Error(fmt::format("no usable OpenCL device or platform is, or is named, '{}'; {}", word, listing(devices)));
 }
 
 DeviceInfo select_device(const std::optional<std::string>& wanted) {
     const std::vector<DeviceInfo> devices = list_devices();
-    std::optional<std::string> word = wanted;
-    if (const char* set = std::getenv("PELAGE_DEVICE"); !word && set != nullptr && *set != '\0') word = set;
-    return devices.at(choose_device(devices, word));
+    const char* variable = std::getenv("PELAGE_DEVICE");
+    if (wanted || variable == nullptr || *variable == '\0') return devices.at(choose_device(devices, wanted));
+    try {
+        return devices.at(choose_device(devices, variable));
+    } catch (const Error& error) {
+        throw Error(fmt::format("the environment variable PELAGE_DEVICE asks for '{}': {}", variable, error.what()));
+    }
 }
 
 }  // namespace pelage

@@ -43,9 +43,10 @@ struct DeviceInfo {
 std::vector<DeviceInfo> list_devices();
 
 // The place in `devices` of the one that `wanted` names: an index, a type (gpu, cpu, accelerator) or a part of the
-// name in any case. Without `wanted`, and among those that a type or name fits: the first usable GPU that is not a
-// software rasteriser, else the first such CPU, else accelerator, else whatever is usable; so of two platforms with the
-// same device the first one's is taken, and an index says otherwise. Throws Error listing what is there.
+// name, or else of its platform's name or version, in any case. Without `wanted`, and among those that a type or name
+// fits: the first usable GPU that is not a software rasteriser, else the first such CPU, else accelerator, else
+// whatever is usable; so of two platforms with the same device the first one's is taken, and an index says otherwise.
+// Throws Error listing what is there.
 std::size_t choose_device(const std::vector<DeviceInfo>& devices, const std::optional<std::string>& wanted);
 
 // choose_device among list_devices(); without `wanted` the environment variable PELAGE_DEVICE is obeyed, if set.

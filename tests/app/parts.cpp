@@ -17,6 +17,9 @@ TEST_CASE("numbers are shown as people read them") {
     CHECK(grouped(999) == "999");
     CHECK(grouped(242000) == "242,000");
     CHECK(grouped(1234567890) == "1,234,567,890");
+    CHECK(counted(1, "cell") == "1 cell");
+    CHECK(counted(2000, "cell") == "2,000 cells");
+    CHECK(counted(0, "cell lies", "cells lie") == "0 cells lie");
     CHECK(clock_time(0) == "0:00");
     CHECK(clock_time(41.2) == "0:42");
     CHECK(clock_time(3599.5) == "1:00:00");
