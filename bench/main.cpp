@@ -2,11 +2,9 @@
 #include <benchmark/benchmark.h>
 
 #include <cstdio>
-#include <cstdlib>
 #include <exception>
 
 int main(int argc, char** argv) {
-    setenv("POCL_AFFINITY", "1", 0);  // as the command does
     benchmark::Initialize(&argc, argv);
     if (benchmark::ReportUnrecognizedArguments(argc, argv)) return 2;
     try {

@@ -106,6 +106,9 @@ def other_rows(report):
                         one["bytes_per_update"] / turing["bytes_per_update"])
             value = turing["updates_per_second"] / one["updates_per_second"] / share
         yield (f"{case}: time by what Turing's predicts", "1024²", "1.5 x at most", shown(value), verdict(value, most=1.5))
+    ratios = [report.ratio("gray-scott-seed", side, "opencl-twin") for side in (256, 1024)]
+    yield ("a spot in an empty field: time by a filled field's", "256² / 1024²", "1.15 x at most",
+           *several([1 / value if value else None for value in ratios], [1.15] * 2, most=True))
     large, middle = report.result("turing", 3162), report.result("turing", 1024)
     value = middle["updates_per_second"] / large["updates_per_second"] if large and middle else None
     yield ("time a cell at 10⁷ cells by that at 10⁶", "3162² / 1024²", "1.5 x at most", shown(value), verdict(value, most=1.5))

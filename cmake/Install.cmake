@@ -4,7 +4,10 @@ set(package_folder ${CMAKE_INSTALL_LIBDIR}/cmake/pelage)
 
 install(TARGETS pelage EXPORT pelage_targets ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR})
 install(EXPORT pelage_targets NAMESPACE pelage:: DESTINATION ${package_folder})
-install(TARGETS pelage_command RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR})
+if(PELAGE_TOOLS)
+  install(TARGETS pelage_command RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR})
+  include(cmake/Pages.cmake)
+endif()
 
 # Headers are included as "core/experiment.hpp", here and by users. Of the backends and the language only the doors
 # are public; what lies behind them may change.
@@ -15,8 +18,8 @@ install(FILES host/language/lint.hpp host/language/outline.hpp host/language/par
 install(FILES host/opencl/backend.hpp host/opencl/device.hpp DESTINATION include/pelage/opencl)
 install(FILES reference/backend.hpp reference/neighbours.hpp DESTINATION include/pelage/reference)
 
-configure_package_config_file(cmake/pelageConfig.cmake.in ${CMAKE_BINARY_DIR}/pelageConfig.cmake
+configure_package_config_file(cmake/pelageConfig.cmake.in ${PROJECT_BINARY_DIR}/pelageConfig.cmake
   INSTALL_DESTINATION ${package_folder})
-write_basic_package_version_file(${CMAKE_BINARY_DIR}/pelageConfigVersion.cmake COMPATIBILITY SameMinorVersion)
-install(FILES ${CMAKE_BINARY_DIR}/pelageConfig.cmake ${CMAKE_BINARY_DIR}/pelageConfigVersion.cmake
+write_basic_package_version_file(${PROJECT_BINARY_DIR}/pelageConfigVersion.cmake COMPATIBILITY SameMinorVersion)
+install(FILES ${PROJECT_BINARY_DIR}/pelageConfig.cmake ${PROJECT_BINARY_DIR}/pelageConfigVersion.cmake
   DESTINATION ${package_folder})

@@ -5,6 +5,6 @@ __kernel void pelage_cells_check(__global const scalar* restrict conc, int n, in
     const int i = (int)get_global_id(0);
     if (i >= n) return;
     for (int plane = 0; plane < chemicals; ++plane) {
-        if (!isfinite(conc[(long)plane * pitch + i])) found[0] = 1;
+        if (!IS_FINITE(conc[(long)plane * pitch + i])) found[0] = 1;
     }
 }

@@ -29,18 +29,14 @@ static inline void pelage_direction(scalar degrees, scalar* cosine, scalar* sine
     if (t < 0) *sine = -*sine;
 }
 
-// The child copies its parent's state before the step, sits one radius away and looks away from it. The order of
-// cells is loosened: children lie behind all others, each at the place that equals its id.
-__kernel void pelage_cells_append_children(__global uint* restrict divides, __global const scalar* restrict degrees,
-                                           int n, int pitch, int chunks, __global const int* restrict sums,
-                                           int chemicals, int mappings, int born,
-                                           __global int* restrict place_of, PELAGE_CELLS(const, _old),
-                                           PELAGE_CELLS(, _new)) {
-    const int chunk = (int)get_global_id(0);
-    if (chunk >= chunks) return;
-    const int end = pelage_chunk_begin(n, chunk + 1, chunks);
-    int child = n + pelage_sum_before(sums, chunk);
-    for (int id = pelage_chunk_begin(n, chunk, chunks); id < end; ++id) {
+// Children of cells begin .. end - 1, the first of them with id `child`. A child copies its parent's state before the
+// step, sits one radius away and looks away from it. The order of cells is loosened: children lie behind all others,
+// each at the place that equals its id.
+static inline void pelage_cells_bear(int begin, int end, int child, __global uint* divides,
+                                     __global const scalar* degrees, int pitch, int chemicals, int mappings,
+                                     int born, __global int* place_of, PELAGE_CELL_ARRAYS(const, _old, ),
+                                     PELAGE_CELL_ARRAYS(, _new, )) {
+    for (int id = begin; id < end; ++id) {
         uint rules = divides[id];
         if (rules == 0) continue;
         divides[id] = 0;
@@ -80,4 +76,16 @@ __kernel void pelage_cells_append_children(__global uint* restrict divides, __gl
             ++child;
         }
     }
+}
+
+__kernel void pelage_cells_append_children(__global uint* restrict divides, __global const scalar* restrict degrees,
+                                           int n, int pitch, int chunks, __global const int* restrict sums,
+                                           int chemicals, int mappings, int born,
+                                           __global int* restrict place_of, PELAGE_CELL_ARRAYS(const, _old, ),
+                                           PELAGE_CELL_ARRAYS(, _new, )) {
+    const int chunk = (int)get_global_id(0);
+    if (chunk >= chunks) return;
+    pelage_cells_bear(pelage_chunk_begin(n, chunk, chunks), pelage_chunk_begin(n, chunk + 1, chunks),
+                      n + pelage_sum_before(sums, chunk), divides, degrees, pitch, chemicals, mappings, born, place_of,
+                      PELAGE_THESE(_old), PELAGE_THESE(_new));
 }

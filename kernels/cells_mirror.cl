@@ -1,14 +1,7 @@
 // Mirror pairs: both cells take the mean of concentrations and rates.
 
-// Pairs first .. first + count - 1 have no cell in common. Does nothing after a step that was skipped.
-__kernel void pelage_cells_mirror(__global const int2* restrict pairs, int first, int count, int pitch, int chemicals,
-                                  __global const int* restrict place_of,
-                                  __global const struct pelage_progress* restrict progress, int step,
-                                  __global scalar* restrict conc, __global scalar* restrict rate) {
-    const int i = (int)get_global_id(0);
-    if (i >= count || progress[step].skipped) return;
-    const int a = place_of[pairs[first + i].x];
-    const int b = place_of[pairs[first + i].y];
+static inline void pelage_cells_even(int a, int b, int pitch, int chemicals, __global scalar* conc,
+                                     __global scalar* rate) {
     for (int plane = 0; plane < chemicals; ++plane) {
         const long base = (long)plane * pitch;
         const scalar mean_conc = (conc[base + a] + conc[base + b]) / 2;
@@ -18,4 +11,14 @@ __kernel void pelage_cells_mirror(__global const int2* restrict pairs, int first
         rate[base + a] = mean_rate;
         rate[base + b] = mean_rate;
     }
+}
+
+// Pairs first .. first + count - 1 have no cell in common. Does nothing after a step that was skipped.
+__kernel void pelage_cells_mirror(__global const int2* restrict pairs, int first, int count, int pitch, int chemicals,
+                                  __global const int* restrict place_of,
+                                  __global const struct pelage_progress* restrict progress, int step,
+                                  __global scalar* restrict conc, __global scalar* restrict rate) {
+    const int i = (int)get_global_id(0);
+    if (i >= count || progress[step].skipped) return;
+    pelage_cells_even(place_of[pairs[first + i].x], place_of[pairs[first + i].y], pitch, chemicals, conc, rate);
 }

@@ -1,4 +1,4 @@
-// One iteration of free cells: rules, then what the neighbours do, then bounds. PELAGE_WIDTH cells a work-item.
+// One iteration of PELAGE_WIDTH free cells: rules, then what the neighbours do, then bounds.
 // Lines that begin with //@ are filled in with text emitted for the experiment (host/opencl/cells_source.cpp).
 
 #define PELAGE_AT_1(j) j
@@ -60,33 +60,26 @@ static inline int pelage_divide(mask where, real angle, int nth, int first, int 
         new_x = SELECT(where, new_x + px * offset, new_x);    \
         new_y = SELECT(where, new_y + py * offset, new_y);    \
     }
-#define GET_NEIGHBOURS TO_REAL(LOAD(neighbours_old + first))
-#define GET_BIRTH TO_REAL(LOAD(birth_old + first))
-#define GET_AGE TO_REAL((intv)((int)iteration) - LOAD(birth_old + first))
+#define WHOLE_NEIGHBOURS TO_UINT(LOAD(neighbours_old + first))
+#define WHOLE_BIRTH TO_UINT(LOAD(birth_old + first))
+#define WHOLE_AGE ((uintv)(iteration)-WHOLE_BIRTH)
+#define WHOLE_ROW W(0)
+#define WHOLE_COLUMN W(0)
+#define WHOLE_ROWS W(0)
+#define WHOLE_COLUMNS W(0)
 #define GET_X x
 #define GET_Y y
-#define GET_ROW R(0)
-#define GET_COLUMN R(0)
-#define GET_ROWS R(0)
-#define GET_COLUMNS R(0)
 
-// progress[step - 1] is that of the step before; progress[0] belongs to the host. A step whose lists cannot be relied
-// on any more, or were cut off, does nothing, and neither do those after it.
-__kernel void pelage_cells_step(int n, int pitch, PELAGE_CELLS(const, _old), PELAGE_CELLS(, _new),
-                                __global const scalar* restrict built, __global const int* restrict lengths,
-                                __global const int* restrict lists, int capacity, __global const int* restrict longest,
-                                scalar half_width, scalar half_height, __global uint* restrict divides,
-                                __global scalar* restrict degrees, scalar longest_way,
-                                __global struct pelage_progress* restrict progress, int step, uint iteration) {
-    const int first = (int)get_global_id(0) * PELAGE_WIDTH;
-    if (first >= n) return;
-    __global const struct pelage_progress* before = progress + step - 1;
-    if (before->moved || before->children > 0 || before->skipped || longest[0] > capacity) {
-        if (first == 0) progress[step].skipped = 1;
-        return;
-    }
+// Cells first .. first + PELAGE_WIDTH - 1. Returns how many children they ask for; `strayed`: which of them are now too
+// far from where their lists were built. No `restrict`: Oclgrind 21.10 cannot inline it.
+static inline int pelage_cells_advance(int first, int n, int pitch, PELAGE_CELL_ARRAYS(const, _old, ),
+                                       PELAGE_CELL_ARRAYS(, _new, ), __global const scalar* built,
+                                       __global const int* lengths, __global const int* lists, int capacity,
+                                       scalar half_width, scalar half_height, __global uint* divides,
+                                       __global scalar* degrees, scalar longest_way, uint iteration, mask* strayed) {
     const real x = LOAD(position_old + first);
     const real y = LOAD(position_old + pitch + first);
+    const intv self = (intv)(first) + AS_INTV(LANES);
     real new_x = x;
     real new_y = y;
     int children = 0;
@@ -96,7 +89,6 @@ __kernel void pelage_cells_step(int n, int pitch, PELAGE_CELLS(const, _old), PEL
         //@ MAPPINGS
         const intv length = LOAD(lengths + first);
         const int most = pelage_largest(length);
-        const intv self = (intv)(first) + AS_INTV(LANES);
         const mask loose = TO_MASK(LOAD(fixed_old + first) == 0);
         __global const int* restrict list = lists + (long)(first & ~15) * capacity + (first & 15);
         intv count = 0;
@@ -130,10 +122,6 @@ __kernel void pelage_cells_step(int n, int pitch, PELAGE_CELLS(const, _old), PEL
     STORE(new_y, position_new + pitch + first);
     const real way_x = new_x - LOAD(built + first);
     const real way_y = new_y - LOAD(built + pitch + first);
-    scalar ways[PELAGE_WIDTH];
-    STORE(way_x * way_x + way_y * way_y, ways);
-    for (int lane = 0; lane < PELAGE_WIDTH; ++lane) {
-        if (first + lane < n && ways[lane] > longest_way) progress[step].moved = 1;
-    }
-    if (children > 0) atomic_add(&progress[step].children, children);
+    *strayed = (way_x * way_x + way_y * way_y > R(longest_way)) & TO_MASK(self < (intv)(n));
+    return children;
 }

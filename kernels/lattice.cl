@@ -7,15 +7,13 @@
 //   PELAGE_TOGETHER    see above
 //   PELAGE_MEANS       rates between neighbours are known, see lattice_means.cl
 
-#define GET_NEIGHBOURS TO_REAL(LOAD(neighbours + at))
-#define GET_AGE TO_REAL((uintv)(iteration)-TO_UINT(LOAD(birth + at)))
-#define GET_BIRTH TO_REAL(LOAD(birth + at))
+#define WHOLE_NEIGHBOURS TO_UINT(LOAD(neighbours + at))
+#define WHOLE_AGE ((uintv)(iteration)-TO_UINT(LOAD(birth + at)))
+#define WHOLE_BIRTH TO_UINT(LOAD(birth + at))
+#define WHOLE_ROW ((uintv)((uint)row))
+#define WHOLE_COLUMN ((uintv)((uint)x) + LANES)
 #define GET_X LOAD(places + x)
 #define GET_Y R(places[pitch + row])
-#define GET_ROW R((scalar)row)
-#define GET_COLUMN TO_REAL((uintv)((uint)x) + LANES)
-#define GET_ROWS R((scalar)rows)
-#define GET_COLUMNS R((scalar)columns)
 
 // The row `up` of this one, and which neighbours lie inside.
 #define THERE(up) ROW_AT(row + (up))

@@ -63,15 +63,13 @@ static inline void pelage_put(real v, global scalar* row, int x, int from, int t
     for (int k = max(from - x, 0); k < min(to - x, PELAGE_WIDTH); ++k) row[x + k] = lanes[k];
 }
 
-#define GET_NEIGHBOURS TO_REAL(pelage_fetch_whole(neighbours + (long)row * pitch, x, columns))
-#define GET_BIRTH TO_REAL(pelage_fetch_whole(birth + (long)row * pitch, x, columns))
-#define GET_AGE TO_REAL((uintv)(iteration)-TO_UINT(pelage_fetch_whole(birth + (long)row * pitch, x, columns)))
+#define WHOLE_NEIGHBOURS TO_UINT(pelage_fetch_whole(neighbours + (long)row * pitch, x, columns))
+#define WHOLE_BIRTH TO_UINT(pelage_fetch_whole(birth + (long)row * pitch, x, columns))
+#define WHOLE_AGE ((uintv)(iteration)-WHOLE_BIRTH)
+#define WHOLE_ROW ((uintv)((uint)row))
+#define WHOLE_COLUMN column
 #define GET_X place_x
 #define GET_Y R(places[pitch + row])
-#define GET_ROW R((scalar)row)
-#define GET_COLUMN TO_REAL(column)
-#define GET_ROWS R((scalar)rows)
-#define GET_COLUMNS R((scalar)columns)
 
 // Chemical i lies in field `at` of the scratch; `above` is the row over the cell's.
 #define TAKE(i, at) const real up##i = LOAD(above + (at) * SLOT);

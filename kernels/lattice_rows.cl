@@ -5,6 +5,9 @@
 // others, at least 16, are 0. Before row 0 lies a row of zeros. So what an absorbing boundary reads is in memory.
 // Planes begin 16 elements into their buffer.
 
+#define WHOLE_ROWS ((uintv)((uint)rows))
+#define WHOLE_COLUMNS ((uintv)((uint)columns))
+
 #define PLANE(buffer, nth) ((buffer) + 16 + (nth) * plane + pitch)
 
 static inline int pelage_row_beyond(int row, int rows) {

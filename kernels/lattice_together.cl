@@ -3,8 +3,13 @@
 // for a step, and what a strip holds stays near its processor.
 // A device need not run all groups at once. Until everybody has arrived, those that are there do the others' strips
 // too: one group alone finishes. Groups that have arrived run, so their neighbours may wait for them.
+// Who has waited long does the same, for a group that has arrived may have lost its processor to somebody else.
 // Where a level is a pass of several steps (lattice_stream.cl) no strip may be lower than those are many.
 // Levels count on from launch to launch: `begin` is the first one of this launch, `end` the one after the last.
+
+// How often a group looks at its own strip before it does others': much shorter than a time slice, and longer than
+// groups wait that all run.
+#define PATIENCE 256
 
 // Places of flags, each in a cache line of its own.
 #define ARRIVED 0
@@ -21,8 +26,8 @@ static inline int pelage_ready(volatile global int* flags, int strips, int strip
 // A strip whose next level is this group's to do, and that level; -1 when nothing is left to do. `everybody`: value
 // of flags[ARRIVED] when all groups of this launch have come.
 static inline int pelage_claim(volatile global int* flags, int strips, int home, int end, int everybody, int* level) {
-    for (;;) {
-        const int reach = flags[ARRIVED] < everybody ? strips : 1;
+    for (int turns = 0;; turns += turns < PATIENCE) {
+        const int reach = (flags[ARRIVED] < everybody || turns == PATIENCE) ? strips : 1;
         int left = 0;
         for (int k = 0; k < reach; ++k) {
             const int strip = home + k < strips ? home + k : home + k - strips;

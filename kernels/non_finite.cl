@@ -1,11 +1,4 @@
-// Finds the first cell of a plane that holds a NaN or an infinity. Bits are tested, for a compiler that may assume
-// finite arithmetic would drop isfinite().
-
-#ifdef PELAGE_DOUBLE
-#define IS_FINITE(v) ((as_ulong(v) & 0x7ff0000000000000ul) != 0x7ff0000000000000ul)
-#else
-#define IS_FINITE(v) ((as_uint(v) & 0x7f800000u) != 0x7f800000u)
-#endif
+// Finds the first cell of a plane that holds a NaN or an infinity.
 
 // found[plane] holds 0xffffffff before, the smallest id after.
 kernel void pelage_lattice_non_finite(global const scalar* restrict conc, global uint* restrict found,

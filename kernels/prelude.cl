@@ -26,6 +26,14 @@
 #define PELAGE_PASTE_(a, b) a##b
 #define PELAGE_PASTE(a, b) PELAGE_PASTE_(a, b)
 
+// Truth of one scalar that is neither NaN nor infinite. Bits are tested, for a compiler that may assume finite
+// arithmetic (PELAGE_FAST) answers the built-in question without a look.
+#ifdef PELAGE_DOUBLE
+#define IS_FINITE(v) ((as_ulong(v) & 0x7ff0000000000000ul) != 0x7ff0000000000000ul)
+#else
+#define IS_FINITE(v) ((as_uint(v) & 0x7f800000u) != 0x7f800000u)
+#endif
+
 // real: one number a lane. mask: truth a lane, as comparisons of real give it; combine with & and |.
 typedef PELAGE_SCALAR scalar;
 #if PELAGE_WIDTH == 1
@@ -88,6 +96,11 @@ PELAGE_LOOSE(intv, int)
 #endif
 #endif
 #define ALL_FALSE ((mask)(0))
+
+// Whole numbers that rules read, from 0 to 2^32 - 1, as comparisons take them: exactly. The others are
+// the kernel's: WHOLE_NEIGHBOURS, WHOLE_AGE, WHOLE_BIRTH, WHOLE_ROW, WHOLE_COLUMN, WHOLE_ROWS, WHOLE_COLUMNS.
+#define WHOLE_ITERATION ((uintv)(iteration))
+#define W(n) ((uintv)(n))
 
 // The same truth in every lane; b is a scalar.
 #define UNIFORM(b) ((b) ? ALL_TRUE : ALL_FALSE)

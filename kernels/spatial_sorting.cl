@@ -66,7 +66,7 @@ __kernel void pelage_matrix_columns(__global scalar* x, __global scalar* y, __gl
     if (any) moved[round] = 1;
 }
 
-// The cells of the window within the radius, as lists of kernels/neighbours_lists.cl, ascending.
+// The cells of the window within the radius, as lists of list.cl, ascending.
 __kernel void pelage_matrix_lists(__global const scalar* restrict x, __global const scalar* restrict y,
                                   __global const int* restrict cell, int n, int side, int reach, scalar square,
                                   __global const int* restrict ids, int capacity, __global int* restrict lengths,

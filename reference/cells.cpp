@@ -2,6 +2,8 @@
 #include "reference/cells.hpp"
 
 #include "core/error.hpp"
+#include "core/finite.hpp"
+#include "core/subnormal.hpp"
 #include "reference/cells_division.hpp"
 #include "reference/cells_interaction.hpp"
 #include "reference/neighbours.hpp"
@@ -10,6 +12,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <type_traits>
 #include <variant>
 
 namespace pelage {
@@ -61,6 +64,7 @@ public:
 private:
     std::size_t do_cells() const override { return old_.cells(); }
     void do_advance(std::uint64_t first, std::uint64_t count) override {
+        const SubnormalsAreZero scope(std::is_same_v<T, float>);
         for (std::uint64_t i = 0; i < count; ++i) step(first + i);
     }
     void do_expand(const Insertion&) override {
@@ -71,11 +75,11 @@ private:
         throw Error("only a lattice can be expanded; this tissue has free cells");
     }
     void do_set_rate(std::size_t chemical, double rate) override {
-        std::ranges::fill(old_.diff[chemical], static_cast<T>(rate));
+        std::ranges::fill(old_.diff[chemical], in_precision<T>(rate));
     }
     Snapshot do_read() const override { return snapshot_from(old_); }
     void do_write(const Snapshot& snapshot) override { take(snapshot); }
-    std::optional<NonFinite> do_non_finite() const override;
+    std::optional<NonFinite> do_non_finite() const override { return first_non_finite(old_.conc); }
 
     void take(const Snapshot&);
     void step(std::uint64_t iteration);
@@ -111,7 +115,7 @@ template <class T>
 void Cells<T>::step(std::uint64_t iteration) {
     const Phase& phase = experiment().phase_at(iteration);
     const std::size_t cells = old_.cells();
-    interaction_.dt = static_cast<T>(phase.time_step);
+    interaction_.dt = in_precision<T>(phase.time_step);
     next_ = old_;
     apply_rules(experiment(), iteration, Arithmetic::published, old_, next_, requests_);
     interact(interaction_, find_neighbours(), requests_.polarize, old_, next_);
@@ -142,8 +146,8 @@ void Cells<T>::replace_and_bound(const Phase& phase) {
         for (std::size_t cell = 0; cell < set.present.size(); ++cell) {
             if (set.present[cell] != 0) conc[cell] = set.value[cell];
         }
-        const T floor = static_cast<T>(phase.bounds[chemical].floor);
-        const T limit = static_cast<T>(phase.bounds[chemical].limit);
+        const T floor = in_precision<T>(phase.bounds[chemical].floor);
+        const T limit = in_precision<T>(phase.bounds[chemical].limit);
         for (T& value : conc) value = clamped(value, floor, limit);
     }
 }
@@ -151,10 +155,10 @@ void Cells<T>::replace_and_bound(const Phase& phase) {
 template <class T>
 void Cells<T>::confine(std::size_t cells) {
     const Domain& domain = experiment().domain;
-    T half_width = static_cast<T>(domain.width / 2);
-    T half_height = static_cast<T>(domain.height / 2);
+    T half_width = in_precision<T>(domain.width / 2);
+    T half_height = in_precision<T>(domain.height / 2);
     if (domain.packed) {
-        const T area = static_cast<T>(cells) * static_cast<T>(domain.area);
+        const T area = static_cast<T>(cells) * in_precision<T>(domain.area);
         const T side = std::sqrt(area) - T(2);
         half_width = half_height = side / T(2);
     }
@@ -171,16 +175,6 @@ void Cells<T>::average_mirrors() {
         for (std::vector<T>& conc : next_.conc) average(conc, a, b);
         for (std::vector<T>& diff : next_.diff) average(diff, a, b);
     }
-}
-
-template <class T>
-std::optional<NonFinite> Cells<T>::do_non_finite() const {
-    for (std::size_t chemical = 0; chemical < old_.conc.size(); ++chemical) {
-        for (std::size_t cell = 0; cell < old_.cells(); ++cell) {
-            if (!std::isfinite(old_.conc[chemical][cell])) return NonFinite{chemical, cell};
-        }
-    }
-    return std::nullopt;
 }
 
 }  // namespace

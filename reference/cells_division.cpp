@@ -86,7 +86,7 @@ void append_children(const std::vector<Division>& divisions, std::uint64_t itera
         next.y.push_back(old.y[division.cell] + ey);
         next.polarity_x.push_back(ex);
         next.polarity_y.push_back(ey);
-        next.birth.push_back(static_cast<std::int32_t>(iteration + 1));
+        next.birth.push_back(static_cast<std::uint32_t>(iteration + 1));
         next.neighbours.push_back(0);
         next.fixed.push_back(0);
     }

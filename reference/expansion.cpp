@@ -1,6 +1,8 @@
 // See expansion.hpp.
 #include "reference/expansion.hpp"
 
+#include "core/subnormal.hpp"
+
 #include <cstdint>
 
 namespace pelage::reference {
@@ -27,9 +29,10 @@ struct Growth {
         return insertion.column ? column == insertion.picks[row] + 1 : row == insertion.picks[column] + 1;
     }
 
-    void mark_newborn(std::vector<std::int32_t>& birth, std::uint64_t iteration) const {
+    void mark_newborn(std::vector<std::uint32_t>& birth, std::uint64_t iteration) const {
         for (std::size_t cell = 0; cell < birth.size(); ++cell) {
-            if (newborn(cell % new_columns(), cell / new_columns())) birth[cell] = static_cast<std::int32_t>(iteration);
+            if (newborn(cell % new_columns(), cell / new_columns()))
+                birth[cell] = static_cast<std::uint32_t>(iteration);
         }
     }
 
@@ -50,11 +53,11 @@ struct Growth {
     }
 };
 
-// Cells lie 2 apart around the lattice's centre, rounded to float as the published program holds them.
+// Cells lie 2 apart around the lattice's centre.
 template <class T>
 T place(double origin, std::size_t index, std::size_t count) {
     const double offset = static_cast<double>(index) - static_cast<double>(count) / 2.0;
-    return static_cast<T>(static_cast<float>(origin + offset * 2 + 1));
+    return in_precision<T>(origin + offset * 2 + 1);
 }
 
 }  // namespace

@@ -1,13 +1,15 @@
 // One iteration of a lattice after another: rules, diffusion, what rules set, bounds, polarity.
 #include "reference/lattice.hpp"
 
+#include "core/finite.hpp"
 #include "core/lattice.hpp"
+#include "core/subnormal.hpp"
 #include "reference/exchange.hpp"
 #include "reference/expansion.hpp"
 #include "reference/resample.hpp"
 #include "reference/rules.hpp"
 
-#include <cmath>
+#include <type_traits>
 #include <utility>
 
 namespace pelage {
@@ -28,6 +30,7 @@ private:
     std::size_t do_cells() const override { return state_.cells(); }
 
     void do_advance(std::uint64_t first, std::uint64_t count) override {
+        const SubnormalsAreZero scope(std::is_same_v<T, float>);
         for (std::uint64_t iteration = first; iteration < first + count; ++iteration) step(iteration);
     }
 
@@ -37,12 +40,13 @@ private:
     }
 
     void do_resample(const Resampling& resampling) override {
+        const SubnormalsAreZero scope(std::is_same_v<T, float>);
         resample_state(state_, resampling, experiment().phase_at(iteration()).bounds);
         reshape();
     }
 
     void do_set_rate(std::size_t chemical, double rate) override {
-        for (T& value : state_.diff[chemical]) value = static_cast<T>(rate);
+        for (T& value : state_.diff[chemical]) value = in_precision<T>(rate);
     }
 
     Snapshot do_read() const override { return snapshot_from(state_); }
@@ -53,14 +57,7 @@ private:
         reshape();
     }
 
-    std::optional<NonFinite> do_non_finite() const override {
-        for (std::size_t chemical = 0; chemical < state_.conc.size(); ++chemical) {
-            for (std::size_t cell = 0; cell < state_.cells(); ++cell) {
-                if (!std::isfinite(state_.conc[chemical][cell])) return NonFinite{chemical, cell};
-            }
-        }
-        return std::nullopt;
-    }
+    std::optional<NonFinite> do_non_finite() const override { return first_non_finite(state_.conc); }
 
     void reshape() {
         shape_ = {state_.columns, state_.rows, plan_.boundary, plan_.stencil};
@@ -76,7 +73,7 @@ private:
         next_ = state_;
         apply_rules(experiment(), iteration, plan_.arithmetic, state_, next_, requests_);
         for (std::size_t chemical = 0; chemical < next_.conc.size(); ++chemical) {
-            diffuse(medium, chemical, static_cast<T>(phase.time_step));
+            diffuse(medium, chemical, in_precision<T>(phase.time_step));
             replace(requests_.set_conc[chemical], next_.conc[chemical]);
             clamp(phase.bounds[chemical], next_.conc[chemical]);
         }
@@ -107,8 +104,8 @@ private:
     }
 
     static void clamp(const Bounds& bounds, std::vector<T>& values) {
-        const T floor = static_cast<T>(bounds.floor);
-        const T limit = static_cast<T>(bounds.limit);
+        const T floor = in_precision<T>(bounds.floor);
+        const T limit = in_precision<T>(bounds.limit);
         for (T& value : values) value = value < floor ? floor : value > limit ? limit : value;
     }
 

@@ -41,6 +41,9 @@ struct Sight {
 
     // Reads operands in the order of the rule: condition first, then the action's in order of declaration.
     Column<T> column(const Operand&);
+
+    // A whole quantity or a written number, for comparisons: in double, which rounds neither.
+    Column<double> exact_column(const Operand&) const;
 };
 
 // The first word of the draw that belongs to (cell, iteration, rule, purpose), as a number in [0, 1).

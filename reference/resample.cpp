@@ -1,6 +1,7 @@
 // See resample.hpp.
 #include "reference/resample.hpp"
 
+#include "core/subnormal.hpp"
 #include "reference/expansion.hpp"
 
 #include <cmath>
@@ -16,7 +17,7 @@ T sample(const Sampling& axis, std::size_t place, const Value& value) {
     const T base = value(source[0]);
     T sum = base;
     for (std::size_t other = 0; other < axis.others; ++other) {
-        const T weight = static_cast<T>(axis.weights[place * axis.others + other]);
+        const T weight = in_precision<T>(axis.weights[place * axis.others + other]);
         sum = std::fma(weight, value(source[1 + other]) - base, sum);
     }
     return sum;
@@ -52,8 +53,8 @@ void take_nearest(std::vector<V>& field, std::size_t old_columns, const Resampli
 
 template <class T>
 void clamp(const Bounds& bounds, std::vector<T>& values) {
-    const T floor = static_cast<T>(bounds.floor);
-    const T limit = static_cast<T>(bounds.limit);
+    const T floor = in_precision<T>(bounds.floor);
+    const T limit = in_precision<T>(bounds.limit);
     for (T& value : values) value = value < floor ? floor : value > limit ? limit : value;
 }
 

@@ -2,6 +2,7 @@
 #include "reference/rules.hpp"
 
 #include "core/philox.hpp"
+#include "core/subnormal.hpp"
 #include "reference/operands.hpp"
 #include "reference/reactions.hpp"
 
@@ -38,19 +39,36 @@ struct Judge {  // narrows truth to the cells where a condition holds
 
     void operator()(const Always&) {}
     void operator()(const Compare& c) {
+        if (compared_exactly(c.left, c.right)) return exactly(c.left, c.comparison, c.right);
         const Column<T> left = sight.column(c.left);
         const Column<T> right = sight.column(c.right);
         narrow([&](std::size_t cell) { return holds(left[cell], c.comparison, right[cell]); });
     }
     void operator()(const Within& c) {
+        const bool low_exact = compared_exactly(c.low, c.value);
+        const bool high_exact = compared_exactly(c.value, c.high);
+        if (low_exact) exactly(c.low, Comparison::less_equal, c.value);
+        if (high_exact) exactly(c.value, Comparison::less_equal, c.high);
+        if (low_exact && high_exact) return;
         const Column<T> value = sight.column(c.value);
-        const Column<T> low = sight.column(c.low);
-        const Column<T> high = sight.column(c.high);
-        narrow([&](std::size_t cell) { return low[cell] <= value[cell] && value[cell] <= high[cell]; });
+        if (!low_exact) {
+            const Column<T> low = sight.column(c.low);
+            narrow([&](std::size_t cell) { return low[cell] <= value[cell]; });
+        }
+        if (!high_exact) {
+            const Column<T> high = sight.column(c.high);
+            narrow([&](std::size_t cell) { return value[cell] <= high[cell]; });
+        }
     }
     void operator()(const Probability& c) {
         const Column<T> chance = sight.column(c.chance);
         narrow([&](std::size_t cell) { return draw(sight, cell, purpose::condition) < chance[cell]; });
+    }
+
+    void exactly(const Operand& a, Comparison comparison, const Operand& b) {
+        const Column<double> left = sight.exact_column(a);
+        const Column<double> right = sight.exact_column(b);
+        narrow([&](std::size_t cell) { return holds(left[cell], comparison, right[cell]); });
     }
 
     template <class F>
@@ -74,7 +92,7 @@ struct Act {  // carries out an action where truth holds
 
     void operator()(const Change& change) {
         const Column<T> amount = sight.column(change.amount);
-        const T deviation = static_cast<T>(change.deviation);
+        const T deviation = in_precision<T>(change.deviation);
         const bool rate = change.target == Target::rate;
         std::vector<T>& values = (rate ? next.diff : next.conc)[change.chemical];
         each([&](std::size_t cell) {
@@ -95,8 +113,8 @@ struct Act {  // carries out an action where truth holds
 
     void operator()(const Map& map) {
         const Column<T> value = sight.column(map.value);
-        const T from_low = static_cast<T>(map.from_low), from_high = static_cast<T>(map.from_high);
-        const T to_low = static_cast<T>(map.to_low), to_high = static_cast<T>(map.to_high);
+        const T from_low = in_precision<T>(map.from_low), from_high = in_precision<T>(map.from_high);
+        const T to_low = in_precision<T>(map.to_low), to_high = in_precision<T>(map.to_high);
         std::vector<T>& mapping = next.mappings[map.mapping];
         each([&](std::size_t cell) {
             const T x = value[cell];
@@ -113,7 +131,7 @@ struct Act {  // carries out an action where truth holds
 
     void operator()(const Divide& divide) {
         const Column<T> direction = sight.column(divide.direction);
-        const T deviation = static_cast<T>(divide.deviation);
+        const T deviation = in_precision<T>(divide.deviation);
         each([&](std::size_t cell) {
             requests.divisions.push_back({cell, sight.rule, double{deviated(direction[cell], deviation, cell)}});
         });
@@ -121,7 +139,7 @@ struct Act {  // carries out an action where truth holds
 
     void operator()(const Move& move) {
         const Column<T> distance = sight.column(move.distance);
-        const T deviation = static_cast<T>(move.deviation);
+        const T deviation = in_precision<T>(move.deviation);
         each([&](std::size_t cell) {
             const T offset = deviated(distance[cell], deviation, cell);
             next.x[cell] = next.x[cell] + sight.old.polarity_x[cell] * offset;
@@ -168,7 +186,7 @@ void Remembered<T>::prepare(std::size_t cells) {
 template <class T>
 void apply_rules(const Experiment& experiment, std::uint64_t iteration, Arithmetic arithmetic, const State<T>& old,
                  State<T>& next, Requests<T>& requests) {
-    const T dt = static_cast<T>(experiment.phase_at(iteration).time_step);
+    const T dt = in_precision<T>(experiment.phase_at(iteration).time_step);
     const std::int64_t seed = experiment.run_seed();
     std::vector<Remembered<T>> set_rate(next.diff.size());
     requests.set_conc.assign(next.conc.size(), {});

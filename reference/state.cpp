@@ -1,6 +1,8 @@
 // Between the snapshot's doubles and the precision of the run.
 #include "reference/state.hpp"
 
+#include "core/subnormal.hpp"
+
 namespace pelage::reference {
 
 namespace {
@@ -8,7 +10,7 @@ namespace {
 template <class To, class From>
 std::vector<To> cast(const std::vector<From>& values) {
     std::vector<To> result(values.size());
-    for (std::size_t i = 0; i < values.size(); ++i) result[i] = static_cast<To>(values[i]);
+    for (std::size_t i = 0; i < values.size(); ++i) result[i] = in_precision<To>(values[i]);
     return result;
 }
 

@@ -23,7 +23,7 @@ struct State {
     std::vector<std::vector<T>> mappings;  // [mapping][cell]
     std::vector<T> x, y;
     std::vector<T> polarity_x, polarity_y;
-    std::vector<std::int32_t> birth;
+    std::vector<std::uint32_t> birth;
     std::vector<std::int32_t> neighbours;  // as counted in the previous iteration
     std::vector<std::uint8_t> fixed;
     std::vector<std::pair<std::uint32_t, std::uint32_t>> mirrors;

@@ -1,6 +1,8 @@
 // `pelage bench`: how fast each backend is on this machine, against each other and against what the machine can do.
 #include "app/commands.hpp"
 #include "app/prepare.hpp"
+#include "app/say.hpp"
+#include "app/validators.hpp"
 #include "bench/guard.hpp"
 #include "bench/measure.hpp"
 #include "bench/options.hpp"
@@ -15,8 +17,10 @@
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
+#include <cstdint>
 #include <cstdio>
 #include <filesystem>
+#include <limits>
 #include <memory>
 #include <string>
 
@@ -30,8 +34,8 @@ struct BenchOptions {
 };
 
 // A line that the next one replaces on a terminal; in a log nothing but the results is wanted.
-void say(const std::string& text) {
-    if (isatty(STDERR_FILENO) != 0) fmt::print(stderr, "\r\x1b[K{}", text);
+void show(const std::string& text) {
+    if (isatty(STDERR_FILENO) != 0) say(stderr, "\r\x1b[K{}", text);
 }
 
 void write_json(const BenchOptions& options, const bench::Report& report, bool complete) {
@@ -47,8 +51,8 @@ void keep(const BenchOptions& options, const bench::Report& report) {
 }
 
 int finish(const BenchOptions& options, const bench::Report& report) {
-    if (isatty(STDERR_FILENO) != 0) fmt::print(stderr, "\r\x1b[K");
-    fmt::print("{}", bench::tables(report));
+    if (isatty(STDERR_FILENO) != 0) say(stderr, "\r\x1b[K");
+    say("{}", bench::tables(report));
     if (!options.json.empty()) write_json(options, report, true);
     if (!options.plot.empty()) bench::plot(report, options.plot);
     const bool wrong = std::ranges::any_of(report.notes, [](const bench::Note& note) { return note.wrong; });
@@ -57,7 +61,7 @@ int finish(const BenchOptions& options, const bench::Report& report) {
 
 int bench_all(const BenchOptions& options) {
     return finish(options,
-                  bench::measure(options.what, say, [&](const bench::Report& report) { keep(options, report); }));
+                  bench::measure(options.what, show, [&](const bench::Report& report) { keep(options, report); }));
 }
 
 // The shares of several calls under the yardsticks of the first.
@@ -79,11 +83,11 @@ int bench_guard(const BenchOptions& options) {
             join(all, so_far);
             keep(options, all);
         };
-        join(report, bench::measure(part, say, keep_all));
+        join(report, bench::measure(part, show, keep_all));
     }
     const int exit_code = finish(options, report);
     const bench::Verdict verdict = bench::judge(guard, bench::ratios(report));
-    fmt::print("\n{}", verdict.text);
+    say("\n{}", verdict.text);
     return verdict.kept ? exit_code : failed_check;
 }
 
@@ -102,19 +106,22 @@ void add_bench(CLI::App& app, int& exit_code) {
     CLI::App* command =
         app.add_subcommand("bench", "Measure how fast the backends are, after checking that they agree to the bit");
     const auto list = [&](const char* name, auto& value, const char* text, const char* type) {
-        command->add_option(name, value, text)->delimiter(',')->type_name(type);
+        return command->add_option(name, value, text)->delimiter(',')->type_name(type)->transform(trimmed());
     };
     command->add_option("--suite", options->what.suite, "lattice, cells, neighbours, growth or all (default all)")
-        ->type_name("NAME");
+        ->type_name("lattice|cells|neighbours|growth|all");
     command->add_option("--device", options->what.device, "Index or name of an OpenCL device, or all")
         ->type_name("DEVICE");
     list("--against", options->what.against,
          "Backends beside opencl: reference, openmp, nanoflann, nanoflann-openmp, opencl-plain, opencl-step, "
-         "opencl-fast",
+         "opencl-fast, opencl-twin",
          "LIST");
-    list("--sizes", options->what.sizes, "Sides of lattices; numbers of free cells and points", "LIST");
+    list("--sizes", options->what.sizes, "Sides of lattices; numbers of free cells and points", "LIST")
+        ->check(whole_number(0, std::numeric_limits<std::int64_t>::max()));
     list("--cases", options->what.cases, "Only these cases of the suites; all: every one", "LIST");
-    command->add_option("--runs", options->what.runs, "Runs of each backend, turn by turn (default 5)")->type_name("N");
+    command->add_option("--runs", options->what.runs, "Runs of each backend, turn by turn (default 5)")
+        ->type_name("N")
+        ->transform(whole_number(0, 1'000'000));
     command->add_flag("--quick", options->what.quick, "Small sizes and short runs: to see that all works");
     command->add_option("--json", options->json, "Write results to this file too")->type_name("FILE");
     command->add_option("--plot", options->plot, "Draw FILE.roofline.png and FILE.scaling.png")->type_name("FILE");

@@ -1,6 +1,8 @@
 // `pelage check FILE...`: reads experiments without running them.
+#include "app/change_notes.hpp"
 #include "app/commands.hpp"
 #include "app/read_experiment.hpp"
+#include "app/say.hpp"
 #include "core/counted.hpp"
 #include "core/error.hpp"
 #include "core/prepattern.hpp"
@@ -30,7 +32,7 @@ struct CheckOptions {
 void explain_fusion(const Experiment& experiment) {
     if (!std::holds_alternative<Lattice>(space_of(experiment))) return;
     for (const std::string& line : explain_lattice(experiment, initial_state(experiment), Precision::single_)) {
-        fmt::print("  {}\n", line);
+        say("  {}\n", line);
     }
 }
 
@@ -39,13 +41,16 @@ std::size_t check_file(const std::string& file, bool explain) {
     Outline outline;
     const Experiment experiment = read_experiment(file, &outline);
     const std::vector<Warning> warnings = lint(experiment, outline, experiment.last_iteration());
-    fmt::print("{}: ok: {}, {}, {}, {}{}\n", experiment.source, counted(count_cells(experiment), "cell"),
-               counted(experiment.chemicals.size(), "chemical"), counted(experiment.rules.size(), "rule"),
-               counted(experiment.last_iteration(), "iteration"),
-               warnings.empty() ? "" : "; " + counted(warnings.size(), "warning"));
+    say("{}: ok: {}, {}, {}, {}{}\n", experiment.source, counted(count_cells(experiment), "cell"),
+        counted(experiment.chemicals.size(), "chemical"), counted(experiment.rules.size(), "rule"),
+        counted(experiment.last_iteration(), "iteration"),
+        warnings.empty() ? "" : "; " + counted(warnings.size(), "warning"));
     std::fflush(stdout);  // the warnings come after the line of their file
     print_warnings(experiment, warnings);
-    if (explain) explain_fusion(experiment);
+    if (explain) {
+        for (const std::string& note : change_notes(experiment)) say("  {}\n", note);
+        explain_fusion(experiment);
+    }
     return warnings.size();
 }
 
@@ -56,7 +61,7 @@ int check(const CheckOptions& options) {
         try {
             warnings += check_file(file, options.explain);
         } catch (const Error& error) {
-            fmt::print(stderr, "pelage: {}\n", error.what());
+            say(stderr, "pelage: {}\n", error.what());
             exit_code = bad_input;
         }
     }
@@ -72,8 +77,10 @@ void add_check(CLI::App& app, int& exit_code) {
         ->required()
         ->type_name("");
     command->add_flag("--strict", options->strict, "Exit code 1 where there are warnings");
-    command->add_flag("--explain", options->explain,
-                      "Say of lattices which iterations are fused on CPUs, and why others are not");
+    command->add_flag(
+        "--explain", options->explain,
+        "Say of lattices which iterations are fused on CPUs, and why others are not; and what `change` adds in a "
+        "unit of time");
     command->callback([options, &exit_code] { exit_code = check(*options); });
 }
 

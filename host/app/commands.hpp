@@ -1,4 +1,4 @@
-// The subcommands of `pelage`: one file each, one line here and in main.cpp.
+// The subcommands of `pelage`: one file each, one line here and in command_line.cpp.
 #pragma once
 
 #include <CLI/App.hpp>
@@ -18,5 +18,7 @@ void add_check(CLI::App&, int& exit_code);
 void add_verify(CLI::App&, int& exit_code);
 void add_bench(CLI::App&, int& exit_code);
 void add_tune(CLI::App&, int& exit_code);
+void add_help(CLI::App&, int& exit_code);
+void add_completion(CLI::App&, int& exit_code);
 
 }  // namespace pelage::app

@@ -2,8 +2,10 @@
 #include "app/commands.hpp"
 #include "app/memory.hpp"
 #include "app/prepare.hpp"
+#include "app/say.hpp"
 #include "io/atomic_file.hpp"
 #include "opencl/device.hpp"
+#include "opencl/pocl.hpp"
 
 #include <fmt/format.h>
 #include <CLI/Config.hpp>
@@ -52,7 +54,7 @@ void print_table(const std::vector<DeviceInfo>& devices) {
     for (const Line& line : lines) {
         std::string text;
         for (std::size_t i = 0; i + 1 < column_count; ++i) text += fmt::format("{:<{}}  ", line[i], widths[i]);
-        fmt::print("{}{}\n", text, line.back());
+        say("{}{}\n", text, line.back());
     }
 }
 
@@ -80,8 +82,9 @@ nlohmann::ordered_json json_of(const std::vector<DeviceInfo>& devices) {
 int list(const std::filesystem::path& json) {
     const std::vector<DeviceInfo> devices = list_devices();
     if (devices.empty()) {
-        fmt::print(
-            "No OpenCL device is there: experiments run on the reference. pocl-opencl-icd makes one of the CPU.\n");
+        const std::string trouble = pocl_trouble();
+        say("No OpenCL device is there: experiments run on the reference. {}.\n",
+            trouble.empty() ? "pocl-opencl-icd makes one of the CPU" : trouble);
     } else {
         print_table(devices);
     }

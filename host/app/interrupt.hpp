@@ -1,4 +1,5 @@
-// Ctrl-C: remembers that SIGINT or SIGTERM came, so that a run can stop between two batches.
+// Ctrl-C: remembers that SIGINT, SIGTERM, SIGHUP (the terminal is gone) or SIGXCPU (a limit on processor time is
+// reached) came, so that a run can stop between two batches.
 #pragma once
 
 namespace pelage::app {

@@ -42,6 +42,12 @@ Machine on_reference(const RunOptions& options, const Experiment& experiment) {
     return machine;
 }
 
+// Whether PELAGE_DEVICE chooses the device.
+bool by_variable(const RunOptions& options) {
+    const char* variable = std::getenv("PELAGE_DEVICE");
+    return options.device.empty() && variable != nullptr && *variable != '\0';
+}
+
 Machine on_opencl(const RunOptions& options, const Experiment& experiment, const Footprint& footprint) {
     OpenclOptions wanted;
     if (!options.device.empty()) wanted.device = options.device;
@@ -54,7 +60,10 @@ Machine on_opencl(const RunOptions& options, const Experiment& experiment, const
     const DeviceInfo device = backend->device();
     std::string reason = backend->why_not(experiment);
     if (reason.empty()) reason = why_not_on_device(footprint, static_cast<double>(device.memory));
-    if (!reason.empty()) throw Error(fmt::format("device '{}' cannot run this experiment: {}", device.name, reason));
+    if (!reason.empty()) {
+        const char* asked = by_variable(options) ? " (the environment variable PELAGE_DEVICE asks for it)" : "";
+        throw Error(fmt::format("device '{}'{} cannot run this experiment: {}", device.name, asked, reason));
+    }
     std::string build_options = backend->build_options();
     wanted.device = std::to_string(device.index);
     return {std::move(backend),       "opencl", {},     device.name, device.driver, device.platform,
@@ -63,11 +72,14 @@ Machine on_opencl(const RunOptions& options, const Experiment& experiment, const
 
 }  // namespace
 
+Worked worked(const Machine& machine) {
+    if (!machine.opencl) return Worked::by_reference;
+    return machine.info.type == "cpu" ? Worked::in_main_memory : Worked::on_a_card;
+}
+
 Machine choose_machine(const RunOptions& options, const Experiment& experiment, const Footprint& footprint) {
     if (options.backend == "reference") return on_reference(options, experiment);
-    const char* variable = std::getenv("PELAGE_DEVICE");
-    const bool device_asked_for = !options.device.empty() || (variable != nullptr && *variable != '\0');
-    if (options.backend == "opencl" || device_asked_for || options.fast) {
+    if (options.backend == "opencl" || !options.device.empty() || by_variable(options) || options.fast) {
         return on_opencl(options, experiment, footprint);
     }
     try {

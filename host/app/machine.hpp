@@ -26,6 +26,8 @@ struct Machine {
     std::string tuning;                   // what was chosen for a lattice on OpenCL; see tuning.hpp
 };
 
+Worked worked(const Machine&);
+
 // Without options.backend: OpenCL where a device is usable for this experiment, else the reference. A backend or device
 // that was asked for and cannot be had is an Error, never replaced by another one.
 Machine choose_machine(const RunOptions&, const Experiment&, const Footprint&);

@@ -1,55 +1,60 @@
 // See memory.hpp.
 #include "app/memory.hpp"
 
+#include "app/finite_guard.hpp"
+#include "core/counted.hpp"
 #include "core/error.hpp"
 #include "core/forecast.hpp"
 
 #include <fmt/format.h>
-#include <unistd.h>
 
 #include <algorithm>
 #include <array>
-#include <fstream>
 
 namespace pelage::app {
 
-Footprint footprint(const Experiment& experiment, std::uint64_t last, Precision precision) {
+Footprint footprint(const Experiment& experiment, std::uint64_t last, Precision precision, bool resumed) {
     const auto chemicals = static_cast<double>(experiment.chemicals.size());
     const auto mappings = static_cast<double>(experiment.mappings.size());
     const double scalar = precision == Precision::double_ ? 8 : 4;
-    constexpr double integers = 4 + 4 + 1;  // birth, neighbours, fixed
-    const double snapshot = 8 * (2 * chemicals + mappings + 4) + integers;
+    constexpr double integers = 4 + 4 + 1;   // birth, neighbours, fixed
+    constexpr double lists = 8 * 8 + 8 + 4;  // of up to eight neighbours, where they begin, their count
     const double state = scalar * (2 * chemicals + mappings + 4) + integers;
-    const double cells = final_cells(experiment, last);
-    // The first state, one to return to and one on its way to a file; a state before and one after the iteration.
-    return {cells, cells * (3 * snapshot + 2 * state), cells * 2 * state};
+    Footprint need;
+    need.cells = final_cells(experiment, last);
+    need.a_snapshot = 8 * (2 * chemicals + mappings + 4) + integers;
+    need.snapshots = resumed || need.cells <= static_cast<double>(FiniteGuard::largest_kept) ? 2 : 1;
+    need.device = need.cells * 2 * state;
+    need.reference = need.device + need.cells * lists;
+    return need;
 }
 
-double host_memory() {
-    double bytes = static_cast<double>(sysconf(_SC_PHYS_PAGES)) * static_cast<double>(sysconf(_SC_PAGESIZE));
-    for (const char* file : {"/sys/fs/cgroup/memory.max", "/sys/fs/cgroup/memory/memory.limit_in_bytes"}) {
-        double limit = 0;
-        if (std::ifstream(file) >> limit && limit > 0) bytes = std::min(bytes, limit);
-    }
-    return bytes;
+void check_cells(const Experiment& experiment, const Footprint& need) {
+    if (need.cells <= static_cast<double>(largest_cell_count)) return;
+    throw Error(fmt::format("{}: the tissue would grow to {:.3g} cells; {} can be addressed", experiment.source,
+                            need.cells, largest_cell_count));
 }
 
-void check_host_memory(const Experiment& experiment, const Footprint& footprint, double available) {
-    if (footprint.cells > static_cast<double>(largest_cell_count)) {
-        throw Error(fmt::format("{}: the tissue would grow to {:.3g} cells; {} can be addressed", experiment.source,
-                                footprint.cells, largest_cell_count));
-    }
-    if (footprint.host > available) {
-        throw Error(fmt::format("{}: {:.0f} cells with {} chemicals need about {} of memory; there are {}",
-                                experiment.source, footprint.cells, experiment.chemicals.size(),
-                                readable_bytes(footprint.host), readable_bytes(available)));
-    }
+void check_host_memory(const Experiment& experiment, const Footprint& need, Worked worked, double available) {
+    check_cells(experiment, need);
+    const double work = worked == Worked::by_reference     ? need.reference
+                        : worked == Worked::in_main_memory ? need.device
+                                                           : 0;
+    const double bytes = need.states() + work;
+    if (bytes <= available) return;
+    throw Error(
+        fmt::format("{}: {:.0f} {} with {} need about {} of memory ({:.0f} bytes a cell: {:.0f} for its state in a "
+                    "result, {:.0f} to compute); {} may be used",
+                    experiment.source, need.cells, need.cells == 1 ? "cell" : "cells",
+                    counted(experiment.chemicals.size(), "chemical"), readable_bytes(bytes), bytes / need.cells,
+                    need.states() / need.cells, work / need.cells, readable_bytes(available)));
 }
 
 std::string why_not_on_device(const Footprint& footprint, double available) {
     if (footprint.device <= available) return {};
-    return fmt::format("{:.0f} cells need about {} on the device, which has {}", footprint.cells,
-                       readable_bytes(footprint.device), readable_bytes(available));
+    return fmt::format("{:.0f} {} about {} on the device, which has {}", footprint.cells,
+                       footprint.cells == 1 ? "cell needs" : "cells need", readable_bytes(footprint.device),
+                       readable_bytes(available));
 }
 
 std::string readable_bytes(double bytes) {

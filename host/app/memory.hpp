@@ -11,18 +11,24 @@
 namespace pelage::app {
 
 struct Footprint {
-    double cells = 0;   // at the end of the run, expansions included; double: absurd sizes must not overflow
-    double host = 0;    // bytes in main memory
-    double device = 0;  // bytes on an OpenCL device
+    double cells = 0;       // at the end of the run, expansions included; double: absurd sizes must not overflow
+    double a_snapshot = 0;  // bytes of one cell's state on its way to a file, in double whatever the precision
+    double snapshots = 0;   // that are there at once: one to be written, one to return to
+    double reference = 0;   // bytes that the reference computes with
+    double device = 0;      // bytes on an OpenCL device
+
+    double states() const { return cells * snapshots * a_snapshot; }
 };
 
-Footprint footprint(const Experiment&, std::uint64_t last, Precision);
+Footprint footprint(const Experiment&, std::uint64_t last, Precision, bool resumed);
 
-// The bytes this process may use: physical memory, or less where a control group says so.
-double host_memory();
+enum class Worked { by_reference, in_main_memory, on_a_card };  // the last two by OpenCL
 
-// Throws Error when the tissue will not fit into `available` bytes, or has more cells than can be addressed.
-void check_host_memory(const Experiment&, const Footprint&, double available);
+// Throws Error when the tissue has more cells than can be addressed.
+void check_cells(const Experiment&, const Footprint&);
+
+// The same, or when it will not fit into `available` bytes.
+void check_host_memory(const Experiment&, const Footprint&, Worked, double available);
 
 // Why the tissue will not fit into a device of `available` bytes; empty: it fits.
 std::string why_not_on_device(const Footprint&, double available);

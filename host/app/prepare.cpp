@@ -1,41 +1,25 @@
 // See prepare.hpp.
 #include "app/prepare.hpp"
 
+#include "app/ledger.hpp"
 #include "app/read_experiment.hpp"
 #include "core/error.hpp"
+#include "core/seed.hpp"
+#include "core/space.hpp"
 #include "core/stability.hpp"
 #include "io/checkpoint.hpp"
 
 #include <fmt/format.h>
 #include <unistd.h>
 
-#include <algorithm>
-#include <chrono>
 #include <fstream>
 #include <system_error>
-#include <variant>
 
 namespace pelage::app {
 
 namespace {
 
 namespace fs = std::filesystem;
-
-bool seeded_by_clock(const Experiment& experiment) {
-    if (experiment.seed) return *experiment.seed == 0;
-    return std::any_of(experiment.prepattern.begin(), experiment.prepattern.end(), [](const Statement& statement) {
-        const auto* use = std::get_if<UseSeed>(&statement);
-        return use != nullptr && use->seed == 0;
-    });
-}
-
-// One number stands for the clock everywhere, so that --seed with it repeats the run.
-void settle_seed(Experiment& experiment, const std::optional<Checkpoint>& checkpoint) {
-    if (!seeded_by_clock(experiment)) return;
-    const auto now = std::chrono::system_clock::now().time_since_epoch();
-    experiment.seed =
-        checkpoint ? checkpoint->info.seed : std::chrono::duration_cast<std::chrono::seconds>(now).count();
-}
 
 void compare(const Checkpoint& checkpoint, const Experiment& experiment, const RunOptions& options,
              std::uint64_t last) {
@@ -59,6 +43,17 @@ void compare(const Checkpoint& checkpoint, const Experiment& experiment, const R
     }
 }
 
+// The state that is resumed came from the files as they were when the run began.
+void recall_inputs(Experiment& experiment, const RunOptions& options) {
+    const auto identity = run_identity(experiment.text, experiment.run_seed(), options.precision);
+    const auto earlier = earlier_inputs(options.resume, identity);
+    for (InputFile& input : experiment.inputs) {
+        const auto found =
+            std::find_if(earlier.begin(), earlier.end(), [&](const InputFile& one) { return one.name == input.name; });
+        if (found != earlier.end()) input = *found;
+    }
+}
+
 }  // namespace
 
 Prepared prepare(const RunOptions& options) {
@@ -67,17 +62,29 @@ Prepared prepare(const RunOptions& options) {
     if (!options.resume.empty()) checkpoint = read_checkpoint(options.resume);
     Experiment& experiment = prepared.experiment;
     Outline outline;
-    experiment = read_experiment(options.file, &outline);
+    experiment = read_experiment(options.file, &outline, checkpoint ? StartPictures::left_out : StartPictures::read);
     if (options.seed) experiment.seed = options.seed;
-    settle_seed(experiment, checkpoint);
+    settle_seed(experiment, checkpoint ? checkpoint->info.seed : seed_from_clock());
     prepared.last = options.iterations.value_or(experiment.last_iteration());
     // A run made shorter by --iterations is no mistake of the file's.
     prepared.warnings = lint(experiment, outline, std::max(prepared.last, experiment.last_iteration()));
     if (checkpoint) {
         compare(*checkpoint, experiment, options, prepared.last);
+        recall_inputs(experiment, options);
+        prepared.resumed_at = checkpoint->snapshot.iteration;
         prepared.resumed = std::move(checkpoint->snapshot);
     }
     return prepared;
+}
+
+void check_formats(const RunOptions& options, const Experiment& experiment) {
+    if (options.formats.empty() || experiment.texture || std::holds_alternative<Lattice>(space_of(experiment))) return;
+    const auto formats = options.format_list();
+    if (std::find(formats.begin(), formats.end(), Format::exr) == formats.end()) return;
+    throw Error(
+        fmt::format("{}: free cells make no EXR picture by themselves; add 'texture size WIDTH HEIGHT' to the "
+                    "experiment, or leave exr out of --format",
+                    experiment.source));
 }
 
 void check_stability(const Experiment& experiment, const Snapshot& initial) {

@@ -13,15 +13,19 @@
 namespace pelage::app {
 
 struct Prepared {
-    Experiment experiment;   // with --seed; a seed taken from the clock is written into it
-    std::uint64_t last = 0;  // where the run ends
-    std::optional<Snapshot> resumed;
+    Experiment experiment;                    // with --seed; a seed taken from the clock is written into it
+    std::uint64_t last = 0;                   // where the run ends
+    std::optional<Snapshot> resumed;          // the state to go on from; large, and let go once a tissue has it
+    std::optional<std::uint64_t> resumed_at;  // its iteration
     std::vector<Warning> warnings;
 };
 
 // Throws Error when the file is wrong, or when a checkpoint belongs to another experiment, precision or seed, or lies
 // past the end of the run.
 Prepared prepare(const RunOptions&);
+
+// Throws Error when --format asks for an EXR picture that the tissue does not make.
+void check_formats(const RunOptions&, const Experiment&);
 
 // Throws Error naming phase, chemical, rate and the largest time step that holds.
 void check_stability(const Experiment&, const Snapshot& initial);

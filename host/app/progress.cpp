@@ -1,6 +1,8 @@
 // See progress.hpp.
 #include "app/progress.hpp"
 
+#include "app/say.hpp"
+
 #include <fmt/format.h>
 #include <sys/ioctl.h>
 #include <unistd.h>
@@ -63,27 +65,37 @@ Progress::Style Progress::fitting_style(bool quiet) {
 
 Progress::Progress(Style style, std::uint64_t first, std::uint64_t last) : style_(style), first_(first), last_(last) {}
 
-void Progress::show(const std::string& phase, std::uint64_t iteration, double updates) {
-    if (style_ == Style::silent) return;
-    const auto now = Clock::now();
-    const bool bar = style_ == Style::bar;
-    if (now - shown_ < (bar ? std::chrono::nanoseconds(bar_pause) : std::chrono::nanoseconds(log_pause))) return;
+bool Progress::too_soon() const {
+    const auto since = Clock::now() - shown_;
+    return style_ == Style::bar ? since < bar_pause : since < log_pause;
+}
 
-    shown_ = now;
+void Progress::show(const std::string& phase, std::uint64_t iteration, double updates) {
+    if (style_ == Style::silent || too_soon()) return;
+    const auto now = shown_ = Clock::now();
+    const bool bar = style_ == Style::bar;
     const double seconds = std::chrono::duration<double>(now - start_).count();
     const auto done = static_cast<double>(iteration - first_);
     const double left = done > 0 ? seconds * static_cast<double>(last_ - iteration) / done : INFINITY;
     const std::string line =
         progress_line(phase, iteration, last_, left, updates / seconds, bar ? terminal_width() : 0);
-    fmt::print(stderr, "{}{}{}", bar ? "\r\x1b[K" : "", line, bar ? "" : "\n");
+    say(stderr, "{}{}{}", bar ? "\r\x1b[K" : "", line, bar ? "" : "\n");
+    std::fflush(stderr);
+    drawn_ = bar;
+}
+
+void Progress::writing(const std::string& file, bool large) {
+    const bool bar = style_ == Style::bar;
+    if (style_ == Style::silent || (!large && (!bar || too_soon()))) return;
+    shown_ = Clock::now();
+    say(stderr, "{}writing {}{}", bar ? "\r\x1b[K" : "", file, bar ? " ..." : "\n");
     std::fflush(stderr);
     drawn_ = bar;
 }
 
 void Progress::clear() {
     if (!drawn_) return;
-    std::fputs("\r\x1b[K", stderr);
-    std::fflush(stderr);
+    put(stderr, "\r\x1b[K");
     drawn_ = false;
 }
 

@@ -33,10 +33,14 @@ public:
 
     // `updates`: cell updates since the start; shown at most ten times a second (bar) or every ten seconds (log).
     void show(const std::string& phase, std::uint64_t iteration, double updates);
+    // A file is being written: shown when it is a large one, and on a terminal now and then any.
+    void writing(const std::string& file, bool large);
     void clear();  // takes the bar away, so that other text can be printed
 
 private:
     using Clock = std::chrono::steady_clock;
+
+    bool too_soon() const;
 
     Style style_;
     std::uint64_t first_;

@@ -1,7 +1,7 @@
 // See read_experiment.hpp.
 #include "app/read_experiment.hpp"
 
-#include "language/parse.hpp"
+#include "app/say.hpp"
 
 #include <fmt/format.h>
 
@@ -24,13 +24,13 @@ std::string text_of_standard_input() {
 
 }  // namespace
 
-Experiment read_experiment(const std::filesystem::path& file, Outline* outline) {
-    if (file != standard_input) return parse_experiment_file(file, outline);
-    return parse_experiment(text_of_standard_input(), "standard input", ".", outline);
+Experiment read_experiment(const std::filesystem::path& file, Outline* outline, StartPictures pictures) {
+    if (file != standard_input) return parse_experiment_file(file, outline, pictures);
+    return parse_experiment(text_of_standard_input(), "standard input", ".", outline, pictures);
 }
 
 void print_warnings(const Experiment& experiment, const std::vector<Warning>& warnings) {
-    for (const Warning& warning : warnings) fmt::print(stderr, "pelage: {}\n", shown(experiment, warning));
+    for (const Warning& warning : warnings) say(stderr, "pelage: {}\n", shown(experiment, warning));
 }
 
 }  // namespace pelage::app

@@ -3,6 +3,7 @@
 
 #include "core/experiment.hpp"
 #include "language/lint.hpp"
+#include "language/parse.hpp"
 
 #include <filesystem>
 #include <string>
@@ -14,7 +15,8 @@ namespace pelage::app {
 inline const std::string standard_input = "-";
 
 // Throws Error as parse_experiment_file() does.
-Experiment read_experiment(const std::filesystem::path&, Outline* outline = nullptr);
+Experiment read_experiment(const std::filesystem::path&, Outline* outline = nullptr,
+                           StartPictures = StartPictures::read);
 
 // One line each, to standard error.
 void print_warnings(const Experiment&, const std::vector<Warning>&);

@@ -12,6 +12,8 @@ namespace pelage::app {
 
 namespace {
 
+constexpr std::size_t worth_telling = 1'000'000;  // cells
+
 std::string name_of(Precision precision) { return precision == Precision::double_ ? "double" : "float"; }
 
 Attributes attributes_of(const RunOptions& options, const Experiment& experiment, const Machine& machine) {
@@ -25,33 +27,75 @@ Attributes attributes_of(const RunOptions& options, const Experiment& experiment
             {"version", PELAGE_VERSION}};
 }
 
+void add_search(Manifest& manifest, const Tally& tally, const std::string& neighbours) {
+    if (tally.search.iterations == 0) return;
+    manifest.more_texts["neighbours"] = neighbours;
+    manifest.more_numbers["neighbour_miss_rate"] = tally.search.miss_rate();
+    if (tally.growing.iterations > 0) manifest.more_numbers["neighbour_miss_rate_growing"] = tally.growing.miss_rate();
+    manifest.more_numbers["neighbours_missed"] = static_cast<double>(tally.search.neighbours_missed);
+    manifest.more_numbers["neighbours_exact"] = static_cast<double>(tally.search.neighbours_exact);
+}
+
 }  // namespace
 
-Recorder::Recorder(const RunOptions& options, const Experiment& experiment, const Machine& machine)
-    : options_(options), experiment_(experiment), machine_(machine), folder_(options.folder()) {
-    result_options_.formats = parse_formats(options.formats);
+Recorder::Recorder(const RunOptions& options, const Experiment& experiment, const Machine& machine,
+                   std::optional<std::uint64_t> resumed_at, std::function<void(const std::string&, bool)> tell)
+    : options_(options),
+      experiment_(experiment),
+      machine_(machine),
+      folder_(options.folder()),
+      tell_(std::move(tell)),
+      identity_(run_identity(experiment.text, experiment.run_seed(), options.precision)),
+      ledger_(folder_, identity_, resumed_at),
+      reel_(folder_, experiment, identity_, resumed_at) {
     result_options_.precision = options.precision;
     if (options.cells == "hexagon") result_options_.drawing.shape = CellShape::hexagon;
     if (options.cells == "voronoi") result_options_.drawing.shape = CellShape::voronoi;
     result_options_.drawing.polarity_marks = options.polarity_marks;
+    result_options_.exr_type = options.exr_type == "half" ? ExrType::half : ExrType::float_;
+    result_options_.deep_png = options.png_bits == "16";
     result_options_.attributes = attributes_of(options, experiment, machine);
+    result_options_.before = [this](const std::vector<std::string>& files) { ledger_.begin(files); };
 }
 
-void Recorder::write(const Snapshot& state, const std::string& stem) {
+void Recorder::write(const Snapshot& state, const std::string& stem, const SharedRanges& ranges,
+                     const std::vector<Format>& formats) {
     const auto start = std::chrono::steady_clock::now();
-    for (std::string& file : write_results(folder_, stem, state, experiment_, result_options_)) {
-        if (std::find(files_.begin(), files_.end(), file) == files_.end()) files_.push_back(std::move(file));
-    }
+    result_options_.ranges = ranges;
+    result_options_.formats = formats;
+    result_options_.begins = [this, large = state.cells() >= worth_telling](const std::string& file) {
+        tell_(file, large);
+    };
+    write_results(folder_, stem, state, experiment_, result_options_);
+    ledger_.written();
     writing_ += std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
 }
 
-void Recorder::snapshot(const Snapshot& state) { write(state, std::to_string(state.iteration)); }
+void Recorder::snapshot(const Snapshot& state) {
+    const auto formats = options_.format_list();
+    const bool pictures = std::find(formats.begin(), formats.end(), Format::png) != formats.end();
+    write(state, std::to_string(state.iteration), pictures ? reel_.keep(state) : SharedRanges{}, formats);
+}
 
-void Recorder::results(const Snapshot& state) { write(state, "final"); }
+void Recorder::results(const Snapshot& state) { write(state, "final", {}, options_.format_list()); }
+
+void Recorder::settle() {
+    result_options_.ranged_only = true;  // the reel knows no more
+    reel_.redraw([this](const Snapshot& state, const SharedRanges& ranges) {
+        write(state, std::to_string(state.iteration), ranges, {Format::png});
+    });
+    result_options_.ranged_only = false;
+    reel_.discard();
+}
 
 std::filesystem::path Recorder::checkpoint(const Snapshot& state) { return save(state, "checkpoint.pelage"); }
 
-std::filesystem::path Recorder::dump(const Snapshot& state) { return save(state, "non-finite.pelage"); }
+std::filesystem::path Recorder::dump(const Snapshot& state) {
+    ledger_.begin({"non-finite.pelage"});
+    const auto path = save(state, "non-finite.pelage");
+    ledger_.written();
+    return path;
+}
 
 std::filesystem::path Recorder::save(const Snapshot& state, const char* name) const {
     CheckpointInfo info;
@@ -67,7 +111,7 @@ std::filesystem::path Recorder::save(const Snapshot& state, const char* name) co
     return folder_ / name;
 }
 
-void Recorder::manifest(const Snapshot& state, const Tally& tally, const char* end) {
+Manifest Recorder::facts() const {
     Manifest manifest;
     manifest.backend = machine_.kind;
     manifest.device = machine_.device;
@@ -75,32 +119,33 @@ void Recorder::manifest(const Snapshot& state, const Tally& tally, const char* e
     manifest.platform = machine_.platform;
     manifest.precision = options_.precision;
     manifest.seed = experiment_.run_seed();
+    manifest.version = PELAGE_VERSION;
+    manifest.build_options = machine_.build_options;
+    manifest.fast = options_.fast;
+    manifest.options = options_.given;
+    manifest.started = started_;
+    if (!machine_.tuning.empty()) manifest.more_texts["tuning"] = machine_.tuning;
+    return manifest;
+}
+
+void Recorder::manifest(const Snapshot& state, const Tally& tally, const char* end) {
+    Manifest manifest = facts();
     manifest.iterations = state.iteration;
+    manifest.time = experiment_.time_at(state.iteration);
     manifest.cells = state.cells();
     manifest.columns = state.columns;
     manifest.rows = state.rows;
     manifest.seconds = tally.seconds;
     manifest.updates_per_second = tally.updates_per_second();
-    manifest.version = PELAGE_VERSION;
-    manifest.build_options = machine_.build_options;
-    manifest.fast = options_.fast;
-    manifest.files = files_;
-    manifest.started = started_;
+    manifest.files = ledger_.files();
     manifest.more_texts["end"] = end;
     if (!tally.notes.empty()) manifest.more_texts["fusion"] = fmt::format("{}", fmt::join(tally.notes, "; "));
-    if (!machine_.tuning.empty()) manifest.more_texts["tuning"] = machine_.tuning;
     manifest.more_numbers["first_iteration"] = static_cast<double>(tally.started_at);
     manifest.more_numbers["writing_seconds"] = writing_;
-    if (tally.search.iterations > 0) {
-        manifest.more_texts["neighbours"] = options_.neighbours;
-        manifest.more_numbers["neighbour_miss_rate"] = tally.search.miss_rate();
-        if (tally.growing.iterations > 0) {
-            manifest.more_numbers["neighbour_miss_rate_growing"] = tally.growing.miss_rate();
-        }
-        manifest.more_numbers["neighbours_missed"] = static_cast<double>(tally.search.neighbours_missed);
-        manifest.more_numbers["neighbours_exact"] = static_cast<double>(tally.search.neighbours_exact);
-    }
+    add_search(manifest, tally, options_.neighbours);
+    ledger_.written();
     write_manifest(folder_ / "manifest.json", manifest, experiment_);
+    ledger_.finish();
     if (!options_.json.empty()) write_manifest(options_.json, manifest, experiment_);
 }
 

@@ -1,8 +1,10 @@
 // All files of one run: results, snapshots, checkpoints and the manifest.
 #pragma once
 
+#include "app/ledger.hpp"
 #include "app/machine.hpp"
 #include "app/prepare.hpp"
+#include "app/reel.hpp"
 #include "app/run_options.hpp"
 #include "core/neighbours.hpp"
 #include "core/tissue.hpp"
@@ -10,7 +12,10 @@
 #include "io/results.hpp"
 
 #include <chrono>
+#include <cstdint>
 #include <filesystem>
+#include <functional>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -29,26 +34,34 @@ struct Tally {
 
 class Recorder {
 public:
-    Recorder(const RunOptions&, const Experiment&, const Machine&);
+    // `tell` hears the name of each file when it is begun, and whether it is large. `resumed_at`: the iteration of the
+    // checkpoint.
+    Recorder(const RunOptions&, const Experiment&, const Machine&, std::optional<std::uint64_t> resumed_at,
+             std::function<void(const std::string&, bool)> tell);
 
-    void snapshot(const Snapshot&);                                 // ITERATION.*
-    void results(const Snapshot&);                                  // final.*
-    std::filesystem::path checkpoint(const Snapshot&);              // checkpoint.pelage, over the one before
-    std::filesystem::path dump(const Snapshot&);                    // non-finite.pelage
+    void snapshot(const Snapshot&);                     // ITERATION.*
+    void results(const Snapshot&);                      // final.*
+    std::filesystem::path checkpoint(const Snapshot&);  // checkpoint.pelage, over the one before
+    std::filesystem::path dump(const Snapshot&);        // non-finite.pelage
+    void settle();  // snapshots' pictures that were drawn in another range than the last ones are drawn anew
     void manifest(const Snapshot&, const Tally&, const char* end);  // manifest.json and --json
 
     const std::filesystem::path& folder() const { return folder_; }
 
 private:
-    void write(const Snapshot&, const std::string& stem);
+    void write(const Snapshot&, const std::string& stem, const SharedRanges&, const std::vector<Format>&);
     std::filesystem::path save(const Snapshot&, const char* name) const;
+    Manifest facts() const;  // those of the run that do not change
 
     const RunOptions& options_;
     const Experiment& experiment_;
     const Machine& machine_;
     std::filesystem::path folder_;
     ResultOptions result_options_;
-    std::vector<std::string> files_;
+    std::function<void(const std::string&, bool)> tell_;
+    std::string identity_;
+    Ledger ledger_;
+    Reel reel_;
     std::chrono::system_clock::time_point started_ = std::chrono::system_clock::now();
     double writing_ = 0;  // seconds
 };

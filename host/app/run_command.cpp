@@ -2,35 +2,36 @@
 #include "app/commands.hpp"
 #include "app/run_options.hpp"
 #include "app/runner.hpp"
+#include "app/validators.hpp"
 #include "io/results.hpp"
 
+#include <fmt/format.h>
+#include <fmt/ranges.h>
 #include <CLI/Config.hpp>
 #include <CLI/Formatter.hpp>
 
 #include <cstdint>
+#include <limits>
 #include <memory>
 #include <string>
-#include <vector>
 
 namespace pelage::app {
 
 namespace {
 
-// Iterations; the description is left out of --help, where it would say 4294967295 three times.
-CLI::Validator count_from(std::uint64_t smallest) { return CLI::Range(smallest, largest_iteration).description(""); }
-
-CLI::Validator one_of(const std::vector<std::string>& words) { return CLI::IsMember(words).description(""); }
+CLI::Validator count_from(std::int64_t smallest) { return whole_number(smallest, largest_iteration); }
 
 void add_machine_options(CLI::App& command, RunOptions& options) {
     command
         .add_option("--backend", options.backend,
                     "What computes: reference (plain C++, slow) or opencl. "
                     "Default: opencl where a device is usable, else reference")
-        ->type_name("NAME")
+        ->type_name("reference|opencl")
         ->check(one_of({"reference", "opencl"}));
     command
         .add_option("--device", options.device,
-                    "OpenCL device: its index in `pelage devices`, its type (gpu, cpu) or part of its name. "
+                    "OpenCL device: its index in `pelage devices`, its type (gpu, cpu) or part of its name "
+                    "or its platform's. "
                     "Default: the first usable GPU, else CPU")
         ->type_name("INDEX|NAME");
     command
@@ -46,12 +47,12 @@ void add_machine_options(CLI::App& command, RunOptions& options) {
         .add_option("--neighbours", options.neighbours,
                     "Search of free cells: bins or kd-tree (both exact), or spatial-sorting (the published program's, "
                     "which misses some; the manifest says how many). Default: bins")
-        ->type_name("NAME")
+        ->type_name("bins|kd-tree|spatial-sorting")
         ->check(one_of({"bins", "kd-tree", "spatial-sorting"}));
     command
         .add_option("--window", options.sorting.window,
                     "Places around a cell that spatial-sorting looks at: 8, 24, 48, 80 or 120. Default: 48")
-        ->type_name("N")
+        ->type_name("8|24|48|80|120")
         ->check(one_of({"8", "24", "48", "80", "120"}));
     command.add_flag("--fast", options.fast,
                      "Let the OpenCL compiler reorder arithmetic: faster, but no longer the reference's bits");
@@ -69,16 +70,17 @@ void add_course_options(CLI::App& command, RunOptions& options) {
         .add_option("--iterations", options.iterations,
                     "Iterations to end at, counted from 0, resumed runs too. Default: as the experiment says")
         ->type_name("N")
-        ->check(count_from(0));
+        ->transform(count_from(0));
     command
         .add_option("--seed", options.seed,
                     "Seed of all random numbers, instead of the experiment's; 0: from the clock")
-        ->type_name("N");
+        ->type_name("N")
+        ->transform(whole_number(std::numeric_limits<std::int64_t>::min(), std::numeric_limits<std::int64_t>::max()));
     command
         .add_option("--checkpoint-every", options.checkpoint_every,
                     "Save DIR/checkpoint.pelage every N iterations. Default: only when interrupted")
         ->type_name("N")
-        ->check(count_from(1));
+        ->transform(count_from(1));
     command
         .add_option("--resume", options.resume,
                     "Go on from a checkpoint of the same experiment, precision and seed, to the same bits")
@@ -88,7 +90,7 @@ void add_course_options(CLI::App& command, RunOptions& options) {
 
 void add_result_options(CLI::App& command, RunOptions& options) {
     command
-        .add_option("--out", options.out,
+        .add_option("-o,--out", options.out,
                     "Folder for the results, made if need be. Default: out/NAME of the experiment")
         ->type_name("DIR");
     command
@@ -97,14 +99,21 @@ void add_result_options(CLI::App& command, RunOptions& options) {
         ->type_name("LIST")
         ->each([](const std::string& list) { parse_formats(list); });
     command
+        .add_option("--exr-type", options.exr_type, "Numbers of 32 bits (float) or 16 (half) in EXR. Default: float")
+        ->type_name("float|half")
+        ->check(one_of({"float", "half"}));
+    command.add_option("--png-bits", options.png_bits, "Bits a channel of PNG pictures: 8 or 16. Default: 8")
+        ->type_name("8|16")
+        ->check(one_of({"8", "16"}));
+    command
         .add_option("--snap-every", options.snap_every,
                     "Write ITERATION.* every N iterations from 0 on, beside the experiment's own snapshots")
         ->type_name("N")
-        ->check(count_from(1));
+        ->transform(count_from(1));
     command
         .add_option("--cells", options.cells,
                     "Shape of free cells in pictures: circle, hexagon or voronoi. Default: circle")
-        ->type_name("SHAPE")
+        ->type_name("circle|hexagon|voronoi")
         ->check(one_of({"circle", "hexagon", "voronoi"}));
     command.add_flag("--polarity-marks", options.polarity_marks, "Draw a line along each free cell's polarity");
     command.add_option("--json", options.json, "Write the manifest to this file too")->type_name("FILE");
@@ -113,17 +122,30 @@ void add_result_options(CLI::App& command, RunOptions& options) {
     command.add_flag("--quiet", options.quiet, "Say nothing but errors");
 }
 
+// Every option the command has, so that the manifest can never miss one.
+std::vector<OptionGiven> options_given(const CLI::App& command) {
+    std::vector<OptionGiven> all;
+    for (const CLI::Option* option : command.get_options()) {
+        if (option->get_single_name() == "help") continue;
+        OptionGiven one{option->get_single_name(), option->get_items_expected_max() == 0, std::nullopt};
+        if (option->count() > 0) one.value = fmt::format("{}", fmt::join(option->results(), ","));
+        all.push_back(std::move(one));
+    }
+    return all;
+}
+
 }  // namespace
 
 void add_run(CLI::App& app, int& exit_code) {
     const auto options = std::make_shared<RunOptions>();
     CLI::App* command = app.add_subcommand("run", "Run an experiment and write pictures, data and a manifest");
-    command->add_option("FILE", options->file, "Experiment (.pex)")->required()->type_name("");
+    command->add_option("FILE", options->file, "Experiment (.pex); - reads standard input")->required()->type_name("");
     add_machine_options(*command, *options);
     add_course_options(*command, *options);
     add_result_options(*command, *options);
-    command->callback([options, &app, &exit_code] {
+    command->callback([options, command, &app, &exit_code] {
         options->command = app.get_name();
+        options->given = options_given(*command);
         exit_code = run_experiment(*options);
     });
 }

@@ -18,6 +18,8 @@ NeighbourSearch RunOptions::neighbour_search() const {
     return neighbours == "kd-tree" ? NeighbourSearch::kd_tree : NeighbourSearch::bins;
 }
 
+std::vector<Format> RunOptions::format_list() const { return parse_formats(formats.empty() ? "exr,png" : formats); }
+
 std::filesystem::path RunOptions::folder() const {
     if (!out.empty()) return out;
     return std::filesystem::path("out") / (file == standard_input ? "stdin" : file.stem());
@@ -47,6 +49,8 @@ std::string resume_command(const RunOptions& options, const std::filesystem::pat
     add("--seed", std::to_string(seed));
     add("--out", options.folder().string());
     add("--format", options.formats);
+    add("--exr-type", options.exr_type == "float" ? "" : options.exr_type);
+    add("--png-bits", options.png_bits == "8" ? "" : options.png_bits);
     if (options.snap_every != 0) add("--snap-every", std::to_string(options.snap_every));
     if (options.checkpoint_every != 0) add("--checkpoint-every", std::to_string(options.checkpoint_every));
     add("--json", options.json.string());

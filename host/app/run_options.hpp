@@ -3,11 +3,14 @@
 
 #include "core/neighbours.hpp"
 #include "core/tissue.hpp"
+#include "io/manifest.hpp"
+#include "io/results.hpp"
 
 #include <cstdint>
 #include <filesystem>
 #include <optional>
 #include <string>
+#include <vector>
 
 namespace pelage::app {
 
@@ -22,7 +25,9 @@ struct RunOptions {
     std::optional<std::uint64_t> iterations;
     std::optional<std::int64_t> seed;
     std::filesystem::path out;  // empty: out/STEM of the file
-    std::string formats = "exr,png";
+    std::string formats;        // empty: exr,png
+    std::string exr_type = "float";
+    std::string png_bits = "8";
     std::uint64_t snap_every = 0;        // 0: only as the experiment says
     std::uint64_t checkpoint_every = 0;  // 0: only when interrupted
     std::filesystem::path resume;        // empty: from the start
@@ -36,8 +41,10 @@ struct RunOptions {
     bool no_self_test = false;
     bool no_tune = false;
     bool force = false;
+    std::vector<OptionGiven> given;  // all options of the command line, for the manifest
 
     NeighbourSearch neighbour_search() const;
+    std::vector<Format> format_list() const;
     std::filesystem::path folder() const;  // `out`, or its default
 };
 

@@ -10,9 +10,11 @@
 #include "app/progress.hpp"
 #include "app/read_experiment.hpp"
 #include "app/recorder.hpp"
+#include "app/say.hpp"
 #include "app/self_check.hpp"
 #include "app/timetable.hpp"
 #include "app/tuning.hpp"
+#include "core/allowance.hpp"
 #include "core/error.hpp"
 #include "core/prepattern.hpp"
 
@@ -39,8 +41,9 @@ public:
           tissue_(tissue),
           guard_(tissue),
           times_(timetable(options, prepared)),
-          recorder_(options, prepared.experiment, machine),
-          progress_(Progress::fitting_style(options.quiet), tissue.iteration(), prepared.last) {
+          progress_(Progress::fitting_style(options.quiet), tissue.iteration(), prepared.last),
+          recorder_(options, prepared.experiment, machine, prepared.resumed_at,
+                    [this](const std::string& file, bool large) { progress_.writing(file, large); }) {
         tally_.started_at = tissue.iteration();
     }
 
@@ -58,10 +61,10 @@ public:
 
 private:
     template <class... Words>
-    void say(fmt::format_string<Words...> format, Words&&... words) {
+    void tell(fmt::format_string<Words...> format, Words&&... words) {
         if (options_.quiet) return;
         progress_.clear();
-        fmt::print(stderr, format, std::forward<Words>(words)...);
+        say(stderr, format, std::forward<Words>(words)...);
     }
 
     std::optional<Breakdown> batch() {
@@ -160,15 +163,17 @@ private:
         const Snapshot state = read();
         guarded(state, [&] {
             recorder_.results(state);
+            recorder_.settle();
+            progress_.clear();
             recorder_.manifest(state, tally_, "finished");
         });
-        say("{} iterations of {} cells in {:.3g} s: {} million cell-updates a second\n",
-            grouped(state.iteration - tally_.started_at), grouped(state.cells()), tally_.seconds,
-            megas(tally_.updates_per_second()));
+        tell("{} of {} in {:.3g} s: {} million cell-updates a second\n",
+             counted(state.iteration - tally_.started_at, "iteration"), counted(state.cells(), "cell"), tally_.seconds,
+             megas(tally_.updates_per_second()));
         for (const std::string& note : tally_.notes) {
-            if (options_.explain) fmt::print("{}\n", note);
+            if (options_.explain) say("{}\n", note);
         }
-        if (!options_.quiet) fmt::print("Results are in {}\n", recorder_.folder().string());
+        if (!options_.quiet) say("Results are in {}\n", recorder_.folder().string());
         return success;
     }
 
@@ -177,8 +182,8 @@ private:
         const Snapshot state = read();
         const std::filesystem::path saved = recorder_.checkpoint(state);
         recorder_.manifest(state, tally_, "interrupted");
-        fmt::print(stderr, "pelage: stopped at iteration {}; go on with:\n  {}\n", state.iteration,
-                   resume_command(options_, saved, experiment_.run_seed()));
+        say(stderr, "pelage: stopped at iteration {}; go on with:\n  {}\n", state.iteration,
+            resume_command(options_, saved, experiment_.run_seed()));
         return interrupted;
     }
 
@@ -186,9 +191,11 @@ private:
         progress_.clear();
         const Snapshot state = read();
         const std::filesystem::path saved = recorder_.dump(state);
+        recorder_.settle();
+        progress_.clear();
         recorder_.manifest(state, tally_, "non-finite");
-        fmt::print(stderr, "pelage: {}: {}; the state is in {}\n", experiment_.source, describe(breakdown, tissue_),
-                   saved.string());
+        say(stderr, "pelage: {}: {}; the state is in {}\n", experiment_.source, describe(breakdown, tissue_),
+            saved.string());
         return failed_check;
     }
 
@@ -198,20 +205,19 @@ private:
     FiniteGuard guard_;
     Timetable times_;
     BatchSize size_;
-    Recorder recorder_;
     Progress progress_;
+    Recorder recorder_;
     Tally tally_;
     std::optional<std::uint64_t> safe_;  // the iteration of this run's latest checkpoint
 };
 
 void announce(const RunOptions& options, const Prepared& prepared, const Machine& machine, const Tissue& tissue) {
     if (options.quiet) return;
-    fmt::print(stderr, "{}: {} cells, iterations {} to {}, seed {}\n", prepared.experiment.source,
-               grouped(tissue.cells()), grouped(tissue.iteration()), grouped(prepared.last),
-               prepared.experiment.run_seed());
-    fmt::print(stderr, "backend: {} ({}), {}\n", machine.kind, machine.device,
-               options.precision == Precision::double_ ? "double" : "float");
-    if (!machine.why.empty()) fmt::print(stderr, "not opencl: {}\n", machine.why);
+    say(stderr, "{}: {}, iterations {} to {}, seed {}\n", prepared.experiment.source, counted(tissue.cells(), "cell"),
+        grouped(tissue.iteration()), grouped(prepared.last), prepared.experiment.run_seed());
+    say(stderr, "backend: {} ({}), {}\n", machine.kind, machine.device,
+        options.precision == Precision::double_ ? "double" : "float");
+    if (!machine.why.empty()) say(stderr, "not opencl: {}\n", machine.why);
 }
 
 void warn(const RunOptions& options, const Prepared& prepared) {
@@ -225,20 +231,24 @@ void warn(const RunOptions& options, const Prepared& prepared) {
 // Whether the device may be trusted with the run; says why not.
 bool trusted(const RunOptions& options, const Prepared& prepared, const Machine& machine, const Snapshot& start) {
     if (!machine.opencl || options.no_self_test) return true;
-    const std::string fault = self_check(*machine.opencl, machine.info, prepared.experiment, start, prepared.last);
-    if (!fault.empty()) fmt::print(stderr, "pelage: {}\n", fault);
+    const auto [fault, note] = self_check(*machine.opencl, machine.info, prepared.experiment, start, prepared.last);
+    if (!fault.empty()) say(stderr, "pelage: {}\n", fault);
+    if (!note.empty() && !options.quiet) say(stderr, "note: {}\n", note);
     return fault.empty();
 }
 
 }  // namespace
 
 int run_experiment(const RunOptions& options) {
-    const Prepared prepared = prepare(options);
+    Prepared prepared = prepare(options);
     warn(options, prepared);
-    const Footprint needed = footprint(prepared.experiment, prepared.last, options.precision);
-    check_host_memory(prepared.experiment, needed, host_memory());
+    check_formats(options, prepared.experiment);
+    const Footprint needed =
+        footprint(prepared.experiment, prepared.last, options.precision, prepared.resumed.has_value());
+    check_cells(prepared.experiment, needed);
     Machine machine = choose_machine(options, prepared.experiment, needed);
-    const Snapshot initial = initial_state(prepared.experiment);
+    check_host_memory(prepared.experiment, needed, worked(machine), usable_memory());
+    Snapshot initial = initial_state(prepared.experiment, options.precision);
     if (!options.force) check_stability(prepared.experiment, initial);
     const Snapshot& start = prepared.resumed ? *prepared.resumed : initial;
     if (!trusted(options, prepared, machine, start)) return failed_check;
@@ -247,6 +257,8 @@ int run_experiment(const RunOptions& options) {
     tune_machine(options, prepared, start, machine);
     const std::unique_ptr<Tissue> tissue = machine.backend->make_tissue(prepared.experiment, initial);
     if (prepared.resumed) tissue->write(*prepared.resumed);
+    initial = {};  // large ones are half of what a run needs
+    prepared.resumed.reset();
     announce(options, prepared, machine, *tissue);
     return Run(options, prepared, machine, *tissue).carry_out();
 }

@@ -7,15 +7,20 @@
 #include "io/checksum.hpp"
 #include "io/file_bytes.hpp"
 #include "opencl/cache.hpp"
+#include "opencl/session.hpp"
+#include "opencl/subnormal.hpp"
 #include "verify/self_test.hpp"
 
 #include <fmt/format.h>
 
 #include <filesystem>
+#include <optional>
 
 namespace pelage::app {
 
 namespace {
+
+const std::string note_mark = "\nnote: ";
 
 // All that a passed test depends on.
 std::string key_of(const OpenclOptions& options, const DeviceInfo& device, const Experiment& experiment,
@@ -37,21 +42,24 @@ std::filesystem::path file_of(const std::string& key) {
     return cache_folder() / fmt::format("{:016x}.self-test", sum.value());
 }
 
-bool passed_before(const std::string& key) {
-    if (cache_folder().empty()) return false;
+// The note that belongs to it.
+std::optional<std::string> passed_before(const std::string& key) {
+    if (cache_folder().empty()) return {};
     try {
-        return read_file(file_of(key)) == key;
+        const std::string text = read_file(file_of(key));
+        if (!text.starts_with(key + note_mark)) return {};
+        return text.substr(key.size() + note_mark.size());
     } catch (const Error&) {
-        return false;
+        return {};
     }
 }
 
-void remember(const std::string& key) {
+void remember(const std::string& key, const std::string& note) {
     if (cache_folder().empty()) return;
     try {
         std::error_code ignored;
         std::filesystem::create_directories(cache_folder(), ignored);
-        write_file(file_of(key), key);
+        write_file(file_of(key), key + note_mark + note);
     } catch (const Error&) {
         return;  // it will be tested again
     }
@@ -59,19 +67,22 @@ void remember(const std::string& key) {
 
 }  // namespace
 
-std::string self_check(const OpenclOptions& options, const DeviceInfo& device, const Experiment& experiment,
-                       const Snapshot& initial, std::uint64_t last) {
+SelfCheck self_check(const OpenclOptions& options, const DeviceInfo& device, const Experiment& experiment,
+                     const Snapshot& initial, std::uint64_t last) {
     const std::string key = key_of(options, device, experiment, initial, last);
-    if (options.use_cache && passed_before(key)) return {};
+    if (options.use_cache) {
+        if (const auto note = passed_before(key)) return {"", *note};
+    }
     const std::string difference = verify::self_test(options, experiment, initial, last);
     if (difference.empty()) {
-        if (options.use_cache) remember(key);
-        return {};
+        const std::string note = subnormal_difference(Session(device, options));
+        if (options.use_cache) remember(key, note);
+        return {"", note};
     }
-    return fmt::format(
-        "device '{}' fails the self-test, its numbers are not the reference's: {}; `pelage verify --device {}` tells "
-        "more, --no-self-test runs all the same",
-        device.name, difference, device.index);
+    return {fmt::format("device '{}' fails the self-test, its numbers are not the reference's: {}; `pelage verify "
+                        "--device {}` tells more, --no-self-test runs all the same",
+                        device.name, difference, device.index),
+            ""};
 }
 
 }  // namespace pelage::app

@@ -11,9 +11,13 @@
 
 namespace pelage::app {
 
-// Empty when the device gave the reference's answers, now or earlier under the same device, driver, program and
-// experiment; otherwise one sentence that names what is wrong and `pelage verify`.
-std::string self_check(const OpenclOptions&, const DeviceInfo&, const Experiment&, const Snapshot& initial,
-                       std::uint64_t last);
+struct SelfCheck {
+    std::string fault;  // empty: passed, now or earlier under the same device, driver, program and experiment;
+                        // otherwise one sentence that names what is wrong and `pelage verify`
+    std::string note;   // of a passed one: how far results are equal on a device that keeps subnormal numbers
+};
+
+SelfCheck self_check(const OpenclOptions&, const DeviceInfo&, const Experiment&, const Snapshot& initial,
+                     std::uint64_t last);
 
 }  // namespace pelage::app

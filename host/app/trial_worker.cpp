@@ -1,6 +1,8 @@
 // See trial_worker.hpp.
 #include "app/trial_worker.hpp"
 
+#include "app/say.hpp"
+
 #include "core/error.hpp"
 
 #include <fmt/format.h>
@@ -83,7 +85,7 @@ int answer_candidates(const TuningJob& job) {
                           job.options);
     for (std::string line; std::getline(std::cin, line);) {
         const tune::Trial trial = stand.try_out(tune::candidate_from_json(ordered_json::parse(line)));
-        fmt::print("\n{}{}\n", answer_mark, dumped(to_json(trial)));
+        say("\n{}{}\n", answer_mark, dumped(to_json(trial)));
         std::fflush(stdout);
     }
     return 0;

@@ -4,8 +4,11 @@
 #include "app/memory.hpp"
 #include "app/prepare.hpp"
 #include "app/read_experiment.hpp"
+#include "app/say.hpp"
 #include "app/tune_table.hpp"
 #include "app/tuning.hpp"
+#include "app/validators.hpp"
+#include "core/allowance.hpp"
 #include "core/error.hpp"
 #include "io/atomic_file.hpp"
 #include "opencl/cache.hpp"
@@ -19,6 +22,7 @@
 #include <algorithm>
 #include <cstdio>
 #include <filesystem>
+#include <limits>
 #include <memory>
 #include <optional>
 #include <string>
@@ -43,14 +47,15 @@ TuningJob job_of(const TuneOptions& options) {
     const Experiment& experiment = prepared.experiment;
     tune::lattice_size(experiment);  // throws for free cells
     const std::uint64_t last = options.until.value_or(prepared.last);
-    const Footprint needed = footprint(experiment, prepared.last, options.run.precision);
-    check_host_memory(experiment, needed, host_memory());
+    const Footprint needed = footprint(experiment, prepared.last, options.run.precision, false);
+    check_cells(experiment, needed);
     const Machine machine = choose_machine(options.run, experiment, needed);
+    check_host_memory(experiment, needed, worked(machine), usable_memory());
     return {options.run.file, std::move(prepared.experiment), *machine.opencl, machine.info, options.from, last};
 }
 
 void show(std::size_t place, std::size_t all, const tune::Candidate& candidate) {
-    fmt::print(stderr, "\r\x1b[K[{}/{}] {}", place, all, candidate.text());
+    say(stderr, "\r\x1b[K[{}/{}] {}", place, all, candidate.text());
     std::fflush(stderr);
 }
 
@@ -61,7 +66,7 @@ Tuning carried_out(const TuningJob& job, const TuneOptions& options) {
     budget.candidate = options.limit;
     const tune::Effort effort = options.quick ? tune::Effort::quick : tune::Effort::exhaustive;
     Tuning tuning = tuned(job, effort, budget, shown ? ShowCandidate(show) : ShowCandidate(silent));
-    if (shown) fmt::print(stderr, "\r\x1b[K");
+    if (shown) say(stderr, "\r\x1b[K");
     return tuning;
 }
 
@@ -75,7 +80,7 @@ int tune_experiment(TuneOptions options) {
     if (options.worker) return answer_candidates(job);
     if (options.forget) forget_record(cache_folder(), key_of(job));
     const Tuning tuning = carried_out(job, options);
-    if (!options.run.quiet) fmt::print("{}", tuning_table(tuning, job.device));
+    if (!options.run.quiet) say("{}", tuning_table(tuning, job.device));
     if (!options.json.empty()) {
         const auto replace = nlohmann::ordered_json::error_handler_t::replace;  // a driver may not speak UTF-8
         write_file(options.json, to_json(tuning.record).dump(2, ' ', false, replace) + "\n");
@@ -100,7 +105,8 @@ void add_options(CLI::App& command, TuneOptions& options) {
         ->type_name("float|double")
         ->check(CLI::IsMember({"float", "double"}).description(""));
     command.add_option("--seed", options.run.seed, "Seed of all random numbers, instead of the experiment's")
-        ->type_name("N");
+        ->type_name("N")
+        ->transform(whole_number(std::numeric_limits<std::int64_t>::min(), std::numeric_limits<std::int64_t>::max()));
     command.add_flag("--fast", options.run.fast, "For runs with --fast");
     command.add_flag("--quick", options.quick, "The short search that comes before a long run: 5 seconds");
     command.add_option("--limit", options.limit, "What one candidate may take (default: 20)")

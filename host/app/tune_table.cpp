@@ -7,6 +7,8 @@
 
 #include <algorithm>
 #include <array>
+#include <cstdlib>
+#include <thread>
 #include <vector>
 
 namespace pelage::app {
@@ -64,10 +66,23 @@ std::string reasons(const std::vector<Trial>& trials) {
     return text.empty() ? "" : "\n" + text;
 }
 
+// What else wants the processors; empty: not known, or nothing to speak of.
+std::string load() {
+    double average = 0;
+    if (getloadavg(&average, 1) != 1 || average < 0.5) return "";
+    return fmt::format("{:.1f} processes want a processor at the moment; this machine has {}.\n", average,
+                       std::max(1u, std::thread::hardware_concurrency()));
+}
+
 std::string conclusion(const Tuning& tuning) {
     const tune::Record& record = tuning.record;
     const Candidate best = record.best();
-    if (record.find({}) == nullptr) return "There was no time even for the defaults: runs take these.\n";
+    if (record.find({}) == nullptr) {
+        return fmt::format(
+            "There was no time even for the defaults in {:.1f} s, so nothing is known and runs take these.\n{}"
+            "Try again when the machine is less busy, or without --quick, which waits as long as it takes.\n",
+            tuning.seconds, load());
+    }
     const std::string memory = tuning.remembered ? "Remembered from an earlier search; --forget tries all anew. " : "";
     if (best == Candidate{}) {
         return fmt::format("{}Nothing is faster than the defaults by more than {:.0f} %: runs take these.\n", memory,
@@ -85,13 +100,15 @@ std::string tuning_table(const Tuning& tuning, const DeviceInfo& device) {
     std::vector<Trial> trials = record.trials;
     std::ranges::stable_sort(trials, std::ranges::greater{}, &Trial::updates_per_second);
     const Trial* defaults = record.find({});
+    const std::string head = fmt::format("{} ({}, driver {}), {} cells, {}\n", device.name, device.platform,
+                                         device.driver, record.key.size, record.key.precision);
+    if (trials.empty()) return head + conclusion(tuning);
     std::vector<Line> lines{{"RANK", "KERNEL", "WIDTH", "DEPTH", "COLUMNS x ROWS", "GROUP", "CELL-UPDATES/S",
                              "AGAINST DEFAULTS", "VERDICT"}};
     for (std::size_t i = 0; i < trials.size(); ++i) {
         lines.push_back(line_of(trials[i], i + 1, defaults == nullptr ? 0 : defaults->updates_per_second));
     }
-    return fmt::format("{} ({}, driver {}), {} cells, {}\n{}{}\n{}", device.name, device.platform, device.driver,
-                       record.key.size, record.key.precision, aligned(lines), reasons(trials), conclusion(tuning));
+    return fmt::format("{}{}{}\n{}", head, aligned(lines), reasons(trials), conclusion(tuning));
 }
 
 }  // namespace pelage::app

@@ -2,6 +2,7 @@
 #include "app/tuning.hpp"
 
 #include "app/own_program.hpp"
+#include "app/say.hpp"
 #include "app/self_check.hpp"
 #include "core/error.hpp"
 #include "opencl/cache.hpp"
@@ -62,7 +63,7 @@ TuningJob job_of(const RunOptions& options, const Prepared& prepared, const Snap
 // What the self-test finds wrong with a candidate; empty: nothing.
 std::string fault_of(const TuningJob& job, const Candidate& candidate, const Snapshot& start) {
     try {
-        return self_check(applied(candidate, job.options), job.device, job.experiment, start, job.last);
+        return self_check(applied(candidate, job.options), job.device, job.experiment, start, job.last).fault;
     } catch (const Error& error) {
         return error.what();
     }
@@ -134,14 +135,14 @@ void tune_machine(const RunOptions& options, const Prepared& prepared, const Sna
         std::optional<Tuning> tuning = found(job, seconds);
         if (!tuning) return;
         const Candidate chosen = proven(job, options, start, tuning->record);
-        if (!options.quiet) fmt::print(stderr, "{}\n", told(*tuning, chosen));
+        if (!options.quiet) say(stderr, "{}\n", told(*tuning, chosen));
         if (chosen == Candidate{}) return;
         const OpenclOptions own = applied(chosen, *machine.opencl);
         machine.backend = opencl_backend(own);
         machine.opencl = own;
         machine.tuning = chosen.text();
     } catch (const Error& error) {  // the run itself may do well without
-        if (!options.quiet) fmt::print(stderr, "tuning: the defaults ({})\n", error.what());
+        if (!options.quiet) say(stderr, "tuning: the defaults ({})\n", error.what());
     }
 }
 

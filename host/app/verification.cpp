@@ -3,6 +3,7 @@
 
 #include "app/progress.hpp"
 #include "app/run_options.hpp"
+#include "app/say.hpp"
 #include "app/worker.hpp"
 #include "core/error.hpp"
 #include "opencl/session.hpp"
@@ -109,7 +110,8 @@ private:
             if (waiting[i].revents != 0) {
                 hear(*busy[i]);
             } else if (Clock::now() - busy[i]->worker->asked() > std::chrono::seconds(options_.limit)) {
-                give_up(*busy[i], fmt::format("did not end within {} seconds", options_.limit));
+                give_up(*busy[i], fmt::format("did not end within {} {}", options_.limit,
+                                              noun(static_cast<std::uint64_t>(options_.limit), "second")));
             }
         }
     }
@@ -146,7 +148,7 @@ private:
     void show(const std::string& name) const {
         if (options_.quiet || isatty(STDERR_FILENO) == 0) return;
         const std::string text = name.empty() ? "" : fmt::format("[{}/{}] {}", asked_, checks_.size(), name);
-        fmt::print(stderr, "\r\x1b[K{}", text);
+        say(stderr, "\r\x1b[K{}", text);
         std::fflush(stderr);
     }
 
@@ -192,7 +194,7 @@ int answer_checks(const VerifyOptions& options) {
         if (check == checks.end()) throw Error("there is no check '" + name + "'");
         const Result result = verify::judge(*check, place, options.evidence);
         const auto replace = nlohmann::ordered_json::error_handler_t::replace;  // a driver may not speak UTF-8
-        fmt::print("\n{}{}\n", answer_mark, to_json(result).dump(-1, ' ', false, replace));
+        say("\n{}{}\n", answer_mark, to_json(result).dump(-1, ' ', false, replace));
         std::fflush(stdout);
     }
     return 0;

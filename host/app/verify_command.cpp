@@ -2,6 +2,8 @@
 #include "app/commands.hpp"
 #include "app/prepare.hpp"
 #include "app/progress.hpp"
+#include "app/say.hpp"
+#include "app/validators.hpp"
 #include "app/verification.hpp"
 #include "core/error.hpp"
 #include "io/atomic_file.hpp"
@@ -16,6 +18,7 @@
 #include <chrono>
 #include <cstdio>
 #include <filesystem>
+#include <limits>
 #include <memory>
 #include <string>
 #include <vector>
@@ -49,42 +52,40 @@ void print_failures(const verify::DeviceReport& report, const VerifyOptions& opt
     bool first = true;
     for (const verify::Result& result : report.results) {
         if (result.verdict != verify::Verdict::failed && result.verdict != verify::Verdict::mistrusted) continue;
-        fmt::print("\n{}: {}\n", result.name, word(result.verdict));
-        if (!result.first.empty()) fmt::print("  {}\n", result.first);
-        if (!result.message.empty()) fmt::print("  {}\n", result.message);
-        if (first) fmt::print("  alone: {}\n", reproduce_command(options, report.device, result.name));
+        say("\n{}: {}\n", result.name, word(result.verdict));
+        if (!result.first.empty()) say("  {}\n", result.first);
+        if (!result.message.empty()) say("  {}\n", result.message);
+        if (first) say("  alone: {}\n", reproduce_command(options, report.device, result.name));
         if (first && !result.files.empty()) {
-            fmt::print("  pictures of reference, device and difference: {}\n",
-                       (result.files.front().parent_path() / "").string());
+            say("  pictures of reference, device and difference: {}\n",
+                (result.files.front().parent_path() / "").string());
         }
         first = false;
     }
     for (const verify::Result& result : report.results) {
-        if (result.verdict == verify::Verdict::skipped) fmt::print("\n{}: skipped: {}\n", result.name, result.message);
+        if (result.verdict == verify::Verdict::skipped) say("\n{}: skipped: {}\n", result.name, result.message);
     }
 }
 
 void print_summary(const verify::Report& report) {
     const verify::Summary sum = total(report);
-    fmt::print(
-        "\n{}: {} of {} cases passed, {} failed, {} mistrusted, {} skipped; {} cells compared, {} differ; "
-        "{:.1f} s\n",
-        word(sum.verdict()), sum.passed, sum.cases, sum.failed, sum.mistrusted, sum.skipped,
-        grouped(sum.cells_compared), grouped(sum.cells_differing), report.seconds);
+    say("\n{}: {} of {} passed, {} failed, {} mistrusted, {} skipped; {} compared, {}; {:.1f} s\n", word(sum.verdict()),
+        sum.passed, counted(sum.cases, "case"), sum.failed, sum.mistrusted, sum.skipped,
+        counted(sum.cells_compared, "cell"), counted(sum.cells_differing, "differs", "differ"), report.seconds);
 }
 
 void print_comparison(const verify::Report& report) {
     const std::vector<std::string> lines = unlike(report);
     if (lines.empty()) {
-        fmt::print("\nAll {} devices gave the same bits in every case that they share.\n", report.devices.size());
+        say("\nAll {} devices gave the same bits in every case that they share.\n", report.devices.size());
         return;
     }
-    fmt::print("\nCases in which devices differ from each other (a sum over all they gave, and their indices):\n");
-    for (const std::string& line : lines) fmt::print("  {}\n", line);
+    say("\nCases in which devices differ from each other (a sum over all they gave, and their indices):\n");
+    for (const std::string& line : lines) say("  {}\n", line);
 }
 
 int list(const VerifyOptions& options) {
-    for (const verify::Check& check : selected(options)) fmt::print("{:<20} {}\n", check.kernel, check.name);
+    for (const verify::Check& check : selected(options)) say("{:<20} {}\n", check.kernel, check.name);
     return success;
 }
 
@@ -102,11 +103,10 @@ int verify_all(const Request& request) {
     report.form = options.full ? "full" : "quick";
     for (const DeviceInfo& device : devices_of(options)) {
         if (!device.unusable.empty()) throw Error(fmt::format("device '{}': {}", device.name, device.unusable));
-        fmt::print("{}{} ({}, driver {})\n", report.devices.empty() ? "" : "\n", device.name, device.platform,
-                   device.driver);
+        say("{}{} ({}, driver {})\n", report.devices.empty() ? "" : "\n", device.name, device.platform, device.driver);
         std::fflush(stdout);
         report.devices.push_back(verify_device(device, checks, options));
-        fmt::print("{}", table(report.devices.back().results));
+        say("{}", table(report.devices.back().results));
         print_failures(report.devices.back(), options);
     }
     report.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
@@ -133,12 +133,15 @@ void add_verify(CLI::App& app, int& exit_code) {
         ->excludes(quick);
     command->add_flag("--small", options.small, "Smallest sizes alone, for simulators");
     command->add_option("--filter", options.filter, "Only checks with this in their name")->type_name("TEXT");
-    command->add_option("--seed", options.seed, "For the checks that are drawn at random")->capture_default_str();
+    command->add_option("--seed", options.seed, "For the checks that are drawn at random")
+        ->capture_default_str()
+        ->transform(whole_number(0, std::numeric_limits<std::uint64_t>::max()));
     command->add_option("--jobs", options.jobs, "Processes at once (default: two a processor, at most 4)")
-        ->check(CLI::Range(1, 64));
+        ->type_name("N")
+        ->transform(whole_number(1, 64));
     command->add_option("--limit", options.limit, "Seconds that one check may take")
         ->capture_default_str()
-        ->check(CLI::Range(1, 86'400));
+        ->transform(whole_number(1, 86'400));
     command->add_option("--evidence", options.evidence, "Folder for pictures of differences; made when needed")
         ->type_name("DIR")
         ->capture_default_str();

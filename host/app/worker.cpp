@@ -11,6 +11,8 @@
 #include <csignal>
 #include <cstring>
 #include <string_view>
+#include <thread>
+#include <utility>
 
 #include <fcntl.h>
 #include <spawn.h>
@@ -61,7 +63,24 @@ Worker::Worker(std::vector<std::string> arguments) {
 }
 
 Worker::~Worker() {
+    if (child_ > 0 && waits_ && !ended_) let_go();
     if (child_ > 0) end();
+}
+
+// What it has compiled it keeps at its end, and takes its private folder with it.
+void Worker::let_go() {
+    constexpr auto patience = std::chrono::seconds(5);
+    constexpr auto pause = std::chrono::milliseconds(1);
+    close(std::exchange(input_, -1));  // no more lines
+    const auto start = std::chrono::steady_clock::now();
+    while (!ended_ && std::chrono::steady_clock::now() - start < patience) {
+        const pid_t found = waitpid(child_, nullptr, WNOHANG);
+        if (found == 0) std::this_thread::sleep_for(pause);
+        ended_ = found != 0 && !(found < 0 && errno == EINTR);
+    }
+    if (!ended_) return;
+    child_ = -1;
+    close_pipes();
 }
 
 void Worker::close_pipes() {
@@ -72,6 +91,7 @@ void Worker::close_pipes() {
 
 void Worker::ask(const std::string& line) {
     asked_ = std::chrono::steady_clock::now();
+    waits_ = false;
     const std::string text = line + "\n";
     std::size_t written = 0;
     while (written < text.size()) {
@@ -95,7 +115,9 @@ std::optional<std::string> Worker::take() {
         const std::string line = buffer_.substr(0, end);
         buffer_.erase(0, end + 1);
         const auto start = line.find(answer_mark);  // a driver may have left a line unfinished before it
-        if (start != std::string::npos) return line.substr(start + std::strlen(answer_mark));
+        if (start == std::string::npos) continue;
+        waits_ = true;
+        return line.substr(start + std::strlen(answer_mark));
     }
     return {};
 }

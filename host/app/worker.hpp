@@ -16,7 +16,7 @@ inline constexpr const char* answer_mark = "pelage-answer ";
 class Worker {
 public:
     explicit Worker(std::vector<std::string> arguments);  // of this same program
-    ~Worker();
+    ~Worker();                                            // a child that has answered is let go by itself
     Worker(const Worker&) = delete;
     Worker& operator=(const Worker&) = delete;
 
@@ -29,16 +29,18 @@ public:
     std::optional<std::string> take();
     bool ended() const { return ended_; }
 
-    // Ends the child and tells how it ended: "signal 11 (Segmentation fault)", "exit code 3".
+    // Kills the child and tells how it ended: "signal 11 (Segmentation fault)", "exit code 3".
     std::string end();
 
 private:
     void close_pipes();
+    void let_go();
 
     pid_t child_ = -1;
     int input_ = -1;
     int output_ = -1;
     bool ended_ = false;
+    bool waits_ = true;  // for the next line: nothing asked is unanswered
     std::string buffer_;
     std::chrono::steady_clock::time_point asked_;
 };

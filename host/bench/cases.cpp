@@ -28,12 +28,37 @@ std::string turing(std::size_t side, const char* boundary) {
         side, boundary);
 }
 
+std::string set_cells(std::size_t first, std::size_t count, const char* what) {
+    return fmt::format("set cells {} to {} chemical {}\n", first, first + count - 1, what);
+}
+
+// Bands of V, which soon fill the lattice with a maze for good; from noise V would die out everywhere.
 std::string gray_scott(std::size_t side, const char* boundary) {
-    return fmt::format(
+    std::string text = fmt::format(
         "define chemical U limit 1\ndefine chemical V limit 1\nuse seed 7\n"
-        "use chemical U conc 0.75 dev 0.25 diff 0.2\nuse chemical V conc 0.2 dev 0.2 diff 0.1\n"
-        "create matrix {0} {0} {1}\nrule always react U V gray-scott f 0.037 k 0.06\n",
+        "use chemical U conc 0.9 dev 0.1 diff 0.2\nuse chemical V conc 0 diff 0.1\ncreate matrix {0} {0} {1}\n",
         side, boundary);
+    for (std::size_t row = 0; row < side; row += 24) {
+        const std::size_t count = std::min<std::size_t>(9, side - row) * side;
+        text += set_cells(row * side, count, "U conc 0.5") + set_cells(row * side, count, "V conc 0.25 dev 0.05");
+    }
+    return text + "rule always react U V gray-scott f 0.037 k 0.06\n";
+}
+
+// A small spot in an empty field, which neither grows nor goes. All around it V has decayed as far as single precision
+// goes, as it would in a longer run.
+std::string gray_scott_seed(std::size_t side) {
+    constexpr std::size_t spot = 9;
+    std::string text = fmt::format(
+        "define chemical U limit 1\ndefine chemical V limit 1\nuse seed 7\n"
+        "use chemical U conc 1 diff 0.2\nuse chemical V conc 1e-37 diff 0.1\ncreate matrix {0} {0} wrap\n",
+        side);
+    const std::size_t width = std::min(spot, side);
+    for (std::size_t row = (side - width) / 2; row < (side + width) / 2; ++row) {
+        const std::size_t first = row * side + (side - width) / 2;
+        text += set_cells(first, width, "U conc 0.5") + set_cells(first, width, "V conc 0.25");
+    }
+    return text + "rule always react U V gray-scott f 0.037 k 0.0655\n";
 }
 
 // One chemical driven to either side of a threshold.
@@ -116,6 +141,9 @@ std::vector<Case> lattice_cases() {
     cases.back().kernel = Kernel{Model::turing, false};
     cases.push_back(lattice("gray-scott", {256, 1024}, 16, 37, [](std::size_t n) { return gray_scott(n, "wrap"); }));
     cases.back().kernel = Kernel{Model::gray_scott, true};
+    cases.push_back(lattice("gray-scott-seed", {256, 1024}, 16, 37, gray_scott_seed));
+    cases.back().kernel = Kernel{Model::gray_scott, true};
+    cases.back().twin = [](std::size_t n) { return gray_scott(n, "wrap"); };
     cases.push_back(
         lattice("gray-scott-no-flux", middle_sides, 16, 37, [](std::size_t n) { return gray_scott(n, "no-flux"); }));
     cases.back().kernel = Kernel{Model::gray_scott, false};
@@ -187,7 +215,12 @@ std::vector<Case> growth_cases() {
     tissues.whole = 1'000;
     tissues.bytes = cell_cases().front().bytes;
     tissues.flops = cell_cases().front().flops;
-    return {matrix, tissues};
+    Case seedling = tissues;
+    seedling.name = "small-division";
+    seedling.sizes = {100, 300, 1'000};
+    seedling.quick_sizes = {100};
+    seedling.whole = 3'000;
+    return {matrix, tissues, seedling};
 }
 
 }  // namespace
@@ -216,6 +249,10 @@ std::vector<Case> chosen_cases(const Options& options) {
 
 Experiment experiment_of(const Case& one, std::size_t size) {
     return parse_experiment(one.text(size), fmt::format("bench case {} {}", one.name, size), ".");
+}
+
+Experiment twin_of(const Case& one, std::size_t size) {
+    return parse_experiment(one.twin(size), fmt::format("twin of bench case {} {}", one.name, size), ".");
 }
 
 }  // namespace pelage::bench

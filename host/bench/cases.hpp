@@ -26,6 +26,7 @@ struct Case {
     bool by_default = true;                         // else only when asked for by name
     std::function<std::string(std::size_t)> text;   // in the experiment language; empty: points, no experiment
     std::function<std::size_t(std::size_t)> cells;  // at that size, to begin with
+    std::function<std::string(std::size_t)> twin;   // other contents, the same work: its time is a yardstick; or empty
     std::optional<Kernel> kernel;                   // lattices only
     std::size_t whole = 0;                          // iterations of a whole run that starts anew; 0: any stretch
     double bytes = 0;                               // that one update of a cell must move, once each
@@ -39,5 +40,6 @@ const std::vector<Case>& all_cases();
 std::vector<Case> chosen_cases(const Options&);
 
 Experiment experiment_of(const Case&, std::size_t size);
+Experiment twin_of(const Case&, std::size_t size);
 
 }  // namespace pelage::bench

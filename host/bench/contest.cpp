@@ -95,7 +95,19 @@ private:
             if (lattice || named("opencl-step")) add("opencl-step", name, same, on(device.step));
             add("opencl", name, "", on(device.standard));
             add("opencl-fast", name, "", on(device.fast), false);
+            if (case_.twin) add_twin(device);
         }
+    }
+
+    // The twin as `pelage run` would carry it out.
+    void add_twin(const DeviceSessions& device) {
+        const auto experiment = std::make_shared<const Experiment>(twin_of(case_, size_));
+        const auto initial = std::make_shared<const Snapshot>(initial_state(*experiment));
+        const std::size_t before = contest_.contenders.size();
+        add(
+            "opencl-twin", device.standard->info().name, "",
+            [=, session = device.standard] { return opencl_task(session, *experiment, initial); }, false);
+        if (contest_.contenders.size() > before) contest_.contenders.back().twin = true;
     }
 
     void add_searches() {

@@ -20,6 +20,11 @@ bool meets(const Demand& demand, const Ratio& ratio) {
            ratio.against == demand.against;
 }
 
+void check_slack(const std::filesystem::path& file, double slack) {
+    if (slack > 0 && slack <= 1) return;
+    throw Error(fmt::format("{}: slack {} is out of range; above 0 and up to 1 is allowed", file.string(), slack));
+}
+
 }  // namespace
 
 Guard read_guard(const std::filesystem::path& file) {
@@ -32,12 +37,11 @@ Guard read_guard(const std::filesystem::path& file) {
         for (const auto& one : json.at("ratios")) {
             guard.demands.push_back(
                 {one.at("suite"), one.at("case"), one.at("size"), one.at("against"), one.at("ratio")});
+            if (one.contains("slack")) guard.demands.back().slack = one.at("slack");
         }
         if (guard.demands.empty()) throw Error(file.string() + " demands nothing");
-        if (!(guard.slack > 0 && guard.slack <= 1)) {
-            throw Error(fmt::format("{}: slack {} is out of range; above 0 and up to 1 is allowed", file.string(),
-                                    guard.slack));
-        }
+        check_slack(file, guard.slack);
+        for (const Demand& demand : guard.demands) check_slack(file, demand.slack.value_or(guard.slack));
         return guard;
     } catch (const nlohmann::json::exception& error) {
         throw Error(fmt::format("{} is no table of ratios: {}", file.string(), error.what()));
@@ -67,7 +71,7 @@ std::vector<Options> options_for(const Guard& guard, const Options& given) {
 Verdict judge(const Guard& guard, const std::vector<Ratio>& ratios) {
     Verdict verdict;
     for (const Demand& demand : guard.demands) {
-        const double least = guard.slack * demand.ratio;
+        const double least = demand.slack.value_or(guard.slack) * demand.ratio;
         const std::string what =
             fmt::format("{} {} {}, opencl against {}", demand.suite, demand.name, demand.size, demand.against);
         const auto found = std::ranges::find_if(ratios, [&](const Ratio& ratio) { return meets(demand, ratio); });

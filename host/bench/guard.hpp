@@ -6,6 +6,7 @@
 
 #include <cstddef>
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -14,8 +15,9 @@ namespace pelage::bench {
 struct Demand {
     std::string suite, name;
     std::size_t size = 0;
-    std::string against;  // opencl is held against this backend
-    double ratio = 0;     // reached when the table was written
+    std::string against;               // opencl is held against this backend
+    double ratio = 0;                  // reached when the table was written
+    std::optional<double> slack = {};  // instead of the guard's
 };
 
 struct Guard {
@@ -23,8 +25,8 @@ struct Guard {
     std::vector<Demand> demands;
 };
 
-// {"slack": S, "ratios": [{"suite", "case", "size", "against", "ratio"}, ...]}. Throws Error naming the file and what
-// is wrong there.
+// {"slack": S, "ratios": [{"suite", "case", "size", "against", "ratio"}, ...]}, "slack" in a ratio too where it is its
+// own. Throws Error naming the file and what is wrong there.
 Guard read_guard(const std::filesystem::path&);
 
 // Only what the guard asks about.

@@ -126,7 +126,7 @@ private:
             } else if (contender.exact) {
                 const std::string wrong = disagreement(contest_.initial, expected_, found);
                 if (!wrong.empty()) return note(contender, wrong, true);
-            } else {
+            } else if (!contender.twin) {
                 runner.largest_difference = largest_difference(expected_, found);
             }
             found = {};
@@ -162,7 +162,7 @@ private:
 
     // Cell updates after which a lattice on OpenCL has compiled all it wants to.
     double least_work(const Contender& contender) const {
-        const bool chooses = contender.backend == "opencl" || contender.backend == "opencl-fast";
+        const bool chooses = contender.backend == "opencl" || contender.backend == "opencl-fast" || contender.twin;
         return !chooses || case_.suite != "lattice" ? 0 : options_.quick ? 1e6 : 6e9;
     }
 

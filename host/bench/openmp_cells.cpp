@@ -3,6 +3,7 @@
 #include "bench/openmp.hpp"
 #include "bench/openmp_rows.hpp"
 #include "core/neighbours.hpp"
+#include "core/subnormal.hpp"
 
 #include <algorithm>
 #include <array>
@@ -30,16 +31,16 @@ public:
     OpenmpCells(const Experiment& experiment, const Snapshot& initial) : cells_(initial.cells()) {
         const Phase& phase = experiment.phases.front();
         const React& react = std::get<React>(experiment.rules.front().action);
-        numbers_.dt = static_cast<float>(phase.time_step);
-        numbers_.scale = static_cast<float>(react.scale.value);
-        numbers_.alpha = static_cast<float>(react.parameters[0].value);
-        numbers_.beta = static_cast<float>(react.parameters[1].value);
-        numbers_.half_width = static_cast<float>(experiment.domain.width / 2);
-        numbers_.half_height = static_cast<float>(experiment.domain.height / 2);
-        numbers_.floor_u = static_cast<float>(phase.bounds[0].floor);
-        numbers_.limit_u = static_cast<float>(phase.bounds[0].limit);
-        numbers_.floor_v = static_cast<float>(phase.bounds[1].floor);
-        numbers_.limit_v = static_cast<float>(phase.bounds[1].limit);
+        numbers_.dt = in_precision<float>(phase.time_step);
+        numbers_.scale = in_precision<float>(react.scale.value);
+        numbers_.alpha = in_precision<float>(react.parameters[0].value);
+        numbers_.beta = in_precision<float>(react.parameters[1].value);
+        numbers_.half_width = in_precision<float>(experiment.domain.width / 2);
+        numbers_.half_height = in_precision<float>(experiment.domain.height / 2);
+        numbers_.floor_u = in_precision<float>(phase.bounds[0].floor);
+        numbers_.limit_u = in_precision<float>(phase.bounds[0].limit);
+        numbers_.floor_v = in_precision<float>(phase.bounds[1].floor);
+        numbers_.limit_v = in_precision<float>(phase.bounds[1].limit);
         const std::array sources{&initial.x,       &initial.y,       &initial.conc[0],
                                  &initial.conc[1], &initial.diff[0], &initial.diff[1]};
         for (std::size_t i = 0; i < column_count; ++i) start_[i] = padded(*sources[i], i);
@@ -84,7 +85,7 @@ private:
     // Places up to a whole block, and one that is infinitely far from all and stands where a list has ended.
     Aligned<float> padded(const std::vector<double>& from, std::size_t column) const {
         Aligned<float> values(blocks() * lanes + lanes, column < 2 ? far_away : 0.0f);
-        for (std::size_t i = 0; i < cells_; ++i) values[i] = static_cast<float>(from[i]);
+        for (std::size_t i = 0; i < cells_; ++i) values[i] = in_precision<float>(from[i]);
         return values;
     }
 
@@ -103,14 +104,18 @@ private:
         arrays.next_v = next_[v].data();
         arrays.neighbours = neighbours_.data();
         float most = 0;
-#pragma omp parallel for schedule(static) firstprivate(arrays) reduction(max : most)
-        for (std::size_t block = 0; block < blocks(); ++block) {
-            arrays.entries = entries_.data() + block * capacity_ * lanes;
-            arrays.length = lengths_[block];
-            const std::size_t begin = block * lanes;
-            cell_block(arrays, numbers_, begin);
-            most = std::max(most, farthest(arrays.next_x, arrays.next_y, listed_x_.data(), listed_y_.data(), begin,
-                                           std::min(cells_, begin + lanes)));
+#pragma omp parallel firstprivate(arrays) reduction(max : most)
+        {
+            const SubnormalsAreZero scope;
+#pragma omp for schedule(static)
+            for (std::size_t block = 0; block < blocks(); ++block) {
+                arrays.entries = entries_.data() + block * capacity_ * lanes;
+                arrays.length = lengths_[block];
+                const std::size_t begin = block * lanes;
+                cell_block(arrays, numbers_, begin);
+                most = std::max(most, farthest(arrays.next_x, arrays.next_y, listed_x_.data(), listed_y_.data(), begin,
+                                               std::min(cells_, begin + lanes)));
+            }
         }
         return most;
     }

@@ -4,6 +4,7 @@
 #include "bench/aligned.hpp"
 #include "bench/openmp_rows.hpp"
 #include "core/error.hpp"
+#include "core/subnormal.hpp"
 
 #include <algorithm>
 #include <array>
@@ -63,16 +64,18 @@ public:
     OpenmpLattice(const Kernel& kernel, const Experiment& experiment, const Snapshot& initial)
         : kernel_(kernel), columns_(initial.columns), rows_(initial.rows) {
         const Phase& phase = experiment.phases.front();
-        const auto dt = static_cast<float>(phase.time_step);
+        const SubnormalsAreZero scope;
+        const auto dt = in_precision<float>(phase.time_step);
         for (std::size_t i = 0; i < 2; ++i) {
-            const auto rate = static_cast<float>(initial.diff[i].front());
+            const auto rate = in_precision<float>(initial.diff[i].front());
             fields_.push_back({Plane(columns_, rows_), Plane(columns_, rows_), (rate * dt) / 6.0f,
-                               static_cast<float>(phase.bounds[i].floor), static_cast<float>(phase.bounds[i].limit)});
-            start_[i].assign(initial.conc[i].begin(), initial.conc[i].end());
+                               in_precision<float>(phase.bounds[i].floor), in_precision<float>(phase.bounds[i].limit)});
+            start_[i].resize(initial.conc[i].size());
+            std::ranges::transform(initial.conc[i], start_[i].begin(), in_precision<float>);
         }
         const React& react = std::get<React>(experiment.rules.front().action);
-        numbers_.sdt = static_cast<float>(react.scale.value) * dt;
-        for (std::size_t i = 0; i < 2; ++i) numbers_.p[i] = static_cast<float>(react.parameters[i].value);
+        numbers_.sdt = in_precision<float>(react.scale.value) * dt;
+        for (std::size_t i = 0; i < 2; ++i) numbers_.p[i] = in_precision<float>(react.parameters[i].value);
         restart();
     }
 
@@ -89,6 +92,7 @@ public:
     void work(std::uint64_t iterations) override {
 #pragma omp parallel
         {
+            const SubnormalsAreZero scope;
             const auto [begin, end] = strip();
             Scratch scratch(columns_);
             for (std::uint64_t i = 0; i < iterations; ++i) {

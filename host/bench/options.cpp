@@ -34,8 +34,9 @@ const std::vector<std::string>& suites() {
 }
 
 const std::vector<std::string>& backends() {
-    static const std::vector<std::string> words{"reference",    "openmp",      "nanoflann", "nanoflann-openmp",
-                                                "opencl-plain", "opencl-step", "opencl",    "opencl-fast"};
+    static const std::vector<std::string> words{"reference",        "openmp",       "nanoflann",
+                                                "nanoflann-openmp", "opencl-plain", "opencl-step",
+                                                "opencl",           "opencl-fast",  "opencl-twin"};
     return words;
 }
 

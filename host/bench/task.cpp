@@ -1,10 +1,11 @@
 // See task.hpp.
 #include "bench/task.hpp"
 
+#include "core/finite.hpp"
+
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cmath>
 
 namespace pelage::bench {
 
@@ -38,7 +39,7 @@ std::string mistrust(const Outcome& initial, const Outcome& found) {
         if (i < initial.size() && initial[i].words != found[i].words) moved = true;
         if (!found[i].numbers) continue;
         for (const std::uint32_t word : found[i].words) {
-            if (!std::isfinite(std::bit_cast<float>(word))) return found[i].name + " holds numbers that are not finite";
+            if (!is_finite(std::bit_cast<float>(word))) return found[i].name + " holds numbers that are not finite";
         }
     }
     return moved ? "" : "nothing changed: the comparison proves nothing";

@@ -55,6 +55,7 @@ struct Contender {
     bool threads = false;    // of OpenMP, which spin for some milliseconds after their work
     bool in_memory = false;  // its buffers lie in this process's memory
     std::function<std::unique_ptr<Task>()> make;
+    bool twin = false;  // as much work on other contents: compared with nothing
 };
 
 }  // namespace pelage::bench

@@ -15,9 +15,13 @@ std::string grouped(std::uint64_t number) {
     return text;
 }
 
+std::string noun(std::uint64_t number, std::string_view one, std::string_view many) {
+    if (number == 1) return std::string(one);
+    return many.empty() ? std::string(one) + "s" : std::string(many);
+}
+
 std::string counted(std::uint64_t number, std::string_view one, std::string_view many) {
-    const std::string word = number == 1 ? std::string(one) : many.empty() ? std::string(one) + "s" : std::string(many);
-    return grouped(number) + " " + word;
+    return grouped(number) + " " + noun(number, one, many);
 }
 
 }  // namespace pelage

@@ -57,6 +57,15 @@ std::uint64_t Experiment::last_iteration() const {
     return exit_after_snaps && !snap_at.empty() ? std::min(stop_at, snap_at.back()) : stop_at;
 }
 
+double Experiment::time_at(std::uint64_t iteration) const {
+    double time = 0.0;
+    for (std::size_t i = 0; i < phases.size() && phases[i].begin < iteration; ++i) {
+        const std::uint64_t end = i + 1 < phases.size() ? std::min(phases[i + 1].begin, iteration) : iteration;
+        time += static_cast<double>(end - phases[i].begin) * phases[i].time_step;
+    }
+    return time;
+}
+
 std::int64_t Experiment::run_seed() const {
     if (seed) return *seed;
     std::int64_t last = 1;

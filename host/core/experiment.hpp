@@ -18,6 +18,7 @@ inline constexpr std::uint64_t forever = std::numeric_limits<std::uint64_t>::max
 inline constexpr std::uint64_t largest_iteration = 0xffffffffu;  // the random counter has 32 bits for it
 inline constexpr std::size_t largest_cell_count = 0x7fffffffu;   // device kernels index cells with int
 inline constexpr std::size_t largest_chemical_count = 64;
+inline constexpr double smallest_time_step = std::numeric_limits<float>::min();  // smaller ones are 0 in float
 
 // Weights of a lattice Laplacian; the cell's own weight is minus the sum of the others.
 enum class Stencil {
@@ -72,6 +73,24 @@ enum class Quantity {
     mapping         // mapping Operand::index
 };
 
+// Whole numbers from 0 to largest_iteration. Compared with each other and with written numbers they are exact, in any
+// precision; everywhere else they are rounded to the precision of the run.
+constexpr bool is_whole(Quantity quantity) {
+    switch (quantity) {
+        case Quantity::neighbours:
+        case Quantity::age:
+        case Quantity::birth:
+        case Quantity::row:
+        case Quantity::column:
+        case Quantity::rows:
+        case Quantity::columns:
+        case Quantity::iteration:
+            return true;
+        default:
+            return false;
+    }
+}
+
 struct Operand {
     Quantity quantity = Quantity::number;
     double value = 0.0;
@@ -102,6 +121,12 @@ struct Probability {  // true where a uniform draw in [0, 1) is less than chance
     Operand chance;
 };
 using Condition = std::variant<Always, Compare, Within, Probability>;
+
+// Truth where the two are compared exactly: a whole quantity with another one or with a written number.
+constexpr bool compared_exactly(const Operand& a, const Operand& b) {
+    const bool whole_a = is_whole(a.quantity), whole_b = is_whole(b.quantity);
+    return (whole_a && (whole_b || b.quantity == Quantity::number)) || (whole_b && a.quantity == Quantity::number);
+}
 
 // ---- actions
 
@@ -217,7 +242,7 @@ struct UsePolarity {
     std::optional<Spread> degrees;  // empty: none
 };
 struct UseSeed {
-    std::int64_t seed = 1;  // 0: from the clock
+    std::int64_t seed = 1;  // all 64 bits count; 0: from the clock
 };
 struct CreateCell {
     double x = 0.0, y = 0.0;
@@ -297,10 +322,24 @@ struct Colormap {
     std::vector<ColourStop> stops;  // for striped and gradient at slot / 99; for "stops" as written
 };
 
+enum class Drawing {
+    colours,  // through the colormap
+    height,   // shades of grey, 16 bits: black at the low end of the range, white at the high one
+    normal    // directions of a surface whose height is the chemical's amount times Output::strength, in cells
+};
+
 struct Output {  // one picture
     std::size_t chemical = 0;
     Colormap colormap;
     std::optional<std::array<double, 2>> range;  // drawn from low to high colour; empty: minimum to maximum
+    bool own_range = false;                      // of each picture; else all snapshots of a run share theirs
+    Drawing drawing = Drawing::colours;
+    double strength = 1.0;  // of a normal map
+};
+
+struct InputFile {       // a picture, an array or a shape that the experiment starts from
+    std::string name;    // as the experiment says it
+    std::string sha256;  // of its bytes; empty: it was not read, as a resumed run does not need it
 };
 
 struct Experiment {
@@ -321,7 +360,8 @@ struct Experiment {
     std::vector<std::uint64_t> snap_at;  // ascending, without doubles
     bool exit_after_snaps = false;       // end at the last snapshot even if stop_at is later
 
-    std::vector<Output> outputs;  // at least one: the first names final.png
+    std::vector<Output> outputs;  // at least one of colours: the first of those is final.png
+    std::vector<InputFile> inputs;
     std::optional<std::array<std::size_t, 2>> texture;
     double zoom = 1.0;
 
@@ -329,12 +369,16 @@ struct Experiment {
 
     std::size_t chemical(const std::string& name) const;  // throws Error naming those defined
     const Phase& phase_at(std::uint64_t iteration) const;
-    std::uint64_t last_iteration() const;  // where a whole run ends
-    std::int64_t run_seed() const;  // key of the draws made during the run: seed, else the last `use seed`, else 1
+    std::uint64_t last_iteration() const;           // where a whole run ends
+    double time_at(std::uint64_t iteration) const;  // the time steps of all iterations before it, added up
+    // Key of the draws made during the run: seed, else the last `use seed`, else 1. Still 0 where the seed is left to
+    // the clock and settle_seed() of core/seed.hpp has not been called.
+    std::int64_t run_seed() const;
 };
 
 // Throws Error when an experiment cannot mean anything: no cells, an index out of range, a duplicate name,
-// unsorted phases, a rate that is not finite, more cells than largest_cell_count.
+// unsorted phases, more cells than largest_cell_count, a number that is not finite, a time step that is 0 in float, a
+// start that start_faults() of core/starts.hpp refuses.
 void validate(const Experiment&);
 
 }  // namespace pelage

@@ -1,157 +1,31 @@
 // See prepattern.hpp.
 #include "core/prepattern.hpp"
-#include "core/space.hpp"
 
+#include "core/arrangements.hpp"
 #include "core/error.hpp"
+#include "core/published_random.hpp"
+#include "core/seed.hpp"
+#include "core/space.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cctype>
 #include <cmath>
-#include <ctime>
 #include <numbers>
 
 namespace pelage {
 
-PublishedRandom::PublishedRandom(std::uint32_t seed) {
-    std::int64_t word = seed == 0 ? 1 : static_cast<std::int32_t>(seed);
-    for (std::uint32_t& slot : words_) {
-        slot = static_cast<std::uint32_t>(word);
-        word = 16807 * word % 2147483647;  // Lehmer's rule, kept positive
-        if (word < 0) word += 2147483647;
-    }
-    for (int i = 0; i < 310; ++i) next();
-}
-
-std::uint32_t PublishedRandom::next() {
-    words_[front_] += words_[back_];
-    const std::uint32_t drawn = words_[front_] >> 1;
-    front_ = (front_ + 1) % words_.size();
-    back_ = (back_ + 1) % words_.size();
-    return drawn;
-}
-
-float PublishedRandom::range(float low, float high) {
-    return low + (high - low) * (static_cast<float>(next()) / 2147483647.0f);
-}
-
-float PublishedRandom::deviate(float value, float deviation) {
-    return deviation == 0.0f ? value : range(value - deviation, value + deviation);
-}
-
 namespace {
 
-// x and y are rounded to float at the same places as in the published program.
-float spaced(float centre, std::int64_t i, std::int64_t count) {
-    return static_cast<float>(centre + (static_cast<double>(i) - static_cast<double>(count) / 2.0) * 2 + 1);
-}
-
-// The square of elements from which a sqr_circle or hex_circle is cut.
-class Circle {
-public:
-    struct Element {
-        float x, y;
-        bool right;  // not left of the centre
-        bool inside;
-    };
-
-    explicit Circle(const CreateGrid& grid)
-        : hex_(grid.arrangement == Arrangement::hex_circle),
-          n_(static_cast<std::int64_t>(grid.columns)),
-          x_(static_cast<float>(grid.x)),
-          y_(static_cast<float>(grid.y)) {}
-
-    std::int64_t begin() const { return hex_ ? -n_ : 0; }  // of rows and columns; both end at n
-    Element at(std::int64_t row, std::int64_t column) const { return hex_ ? hex(row, column) : square(row, column); }
-
-    // Elements inside, without visiting each: those of a row are one stretch, left and right of the centre.
-    std::size_t count() const {
-        std::int64_t cells = 0;
-        for (std::int64_t row = begin(); row < n_; ++row) {
-            const std::int64_t middle = first(begin(), n_, [&](std::int64_t i) { return at(row, i).right; });
-            cells += first(middle, n_, [&](std::int64_t i) { return !at(row, i).inside; });
-            cells -= first(begin(), middle, [&](std::int64_t i) { return at(row, i).inside; });
-        }
-        return static_cast<std::size_t>(cells);
-    }
-
-private:
-    Element square(std::int64_t row, std::int64_t column) const {
-        const double half = static_cast<double>(n_) / 2.0;
-        const double dy = static_cast<double>(row) - half + 0.5;
-        const double dx = static_cast<double>(column) - half + 0.5;
-        return {spaced(x_, column, n_), spaced(y_, row, n_), dx >= 0.0, dy * dy + dx * dx <= half * half};
-    }
-
-    Element hex(std::int64_t row, std::int64_t column) const {
-        const float radius2 = static_cast<float>(n_ * n_);
-        const float y = y_ + static_cast<float>(row) * 1.7321f;
-        float x = x_ + static_cast<float>(column * 2);
-        if (row % 2 != 0) x += 1.0f;
-        const float dx = x - x_;
-        const float dy = y - y_;
-        return {x, y, dx >= 0.0f, dx * dx + dy * dy <= radius2};
-    }
-
-    // The first i from `low` on for which `holds`, which stays true once it is; `high` when there is none.
-    template <class Holds>
-    static std::int64_t first(std::int64_t low, std::int64_t high, Holds holds) {
-        while (low < high) {
-            const std::int64_t middle = low + (high - low) / 2;
-            if (holds(middle))
-                high = middle;
-            else
-                low = middle + 1;
-        }
-        return low;
-    }
-
-    bool hex_;
-    std::int64_t n_;
-    float x_, y_;
-};
-
-// Calls each(x, y) for the centre of every cell of a grid or circle, in order of creation.
-template <class Each>
-void for_each_centre(const CreateGrid& grid, Each each) {
-    const float centre_x = static_cast<float>(grid.x);
-    const float centre_y = static_cast<float>(grid.y);
-    const auto n = static_cast<std::int64_t>(grid.columns);
-    switch (grid.arrangement) {
-        case Arrangement::sqr_grid:
-        case Arrangement::hex_grid: {
-            const auto rows = static_cast<std::int64_t>(grid.rows);
-            const bool hex = grid.arrangement == Arrangement::hex_grid;
-            for (std::int64_t row = 0; row < rows; ++row) {
-                const float place = static_cast<float>(row) - static_cast<float>(rows) / 2.0f;
-                const float y = hex ? centre_y + place * 1.7321f + 0.866f : spaced(centre_y, row, rows);
-                for (std::int64_t column = 0; column < n; ++column) {
-                    const float x = spaced(centre_x, column, n);
-                    each(hex && row % 2 != 0 ? x + 1.0f : x, y);
-                }
-            }
-            break;
-        }
-        case Arrangement::sqr_circle:
-        case Arrangement::hex_circle: {
-            const Circle circle(grid);
-            for (std::int64_t row = circle.begin(); row < n; ++row) {
-                for (std::int64_t column = circle.begin(); column < n; ++column) {
-                    const Circle::Element element = circle.at(row, column);
-                    if (element.inside) each(element.x, element.y);
-                }
-            }
-            break;
-        }
-    }
-}
-
 struct Polarity {
-    float x = 0.0f;
-    float y = 0.0f;
+    double x = 0.0;
+    double y = 0.0;
 };
 
+// T is the precision of the run. What is drawn is drawn in float, as the published program does; what is written in the
+// experiment keeps T.
+template <class T>
 class Builder {
 public:
     explicit Builder(const Experiment& experiment)
@@ -167,19 +41,17 @@ public:
     }
     void operator()(const UsePolarity& use) { polarity_ = use.degrees; }
     void operator()(const UseSeed& use) { reseed(use.seed); }
-    void operator()(const CreateCell& cell) {
-        create(static_cast<float>(cell.x), static_cast<float>(cell.y), cell.fixed);
-    }
+    void operator()(const CreateCell& cell) { create(static_cast<T>(cell.x), static_cast<T>(cell.y), cell.fixed); }
 
     void operator()(const CreateGrid& grid) {
         const float dev = static_cast<float>(grid.deviation);
         reserve(state_.cells() + grid.columns * std::max<std::size_t>(grid.rows, 1));
-        for_each_centre(grid, [&](float x, float y) {
-            if (dev == 0.0f) return create(x, y, grid.fixed);
+        if (dev == 0.0f) return for_each_centre<T>(grid, [&](T x, T y) { create(x, y, grid.fixed); });
+        for_each_centre<float>(grid, [&](float x, float y) {
             // The published program draws y first, and its jitter lies in [-2 dev, 0].
             const float jitter_y = random_.range(-dev - dev, -dev + dev);
             const float jitter_x = random_.range(-dev - dev, -dev + dev);
-            create(x + jitter_x, y + jitter_y, grid.fixed);
+            create(T{x + jitter_x}, T{y + jitter_y}, grid.fixed);
         });
     }
 
@@ -193,13 +65,13 @@ public:
         std::array<std::vector<std::uint32_t>, 26> upper, lower;
         for (std::size_t row = 0; row < shape.lines.size(); ++row) {
             const double up = static_cast<double>(shape.lines.size()) / 2.0 - static_cast<double>(row);
-            const float y = static_cast<float>(static_cast<float>(shape.y) + up * 2);
+            const T y = static_cast<T>(static_cast<T>(shape.y) + up * 2);
             for (std::size_t column = 0; column < shape.lines[row].size(); ++column) {
                 const auto letter = static_cast<unsigned char>(shape.lines[row][column]);
                 if (std::isalpha(letter) == 0) continue;
                 const double across = static_cast<double>(column) - static_cast<double>(columns) / 2.0;
                 const auto id = static_cast<std::uint32_t>(state_.cells());
-                create(static_cast<float>(static_cast<float>(shape.x) + across * 2), y, shape.fixed);
+                create(static_cast<T>(static_cast<T>(shape.x) + across * 2), y, shape.fixed);
                 if (letter == 'o' || letter == 'O') continue;
                 if (std::isupper(letter) != 0)
                     upper[letter - 'A'].push_back(id);
@@ -234,8 +106,8 @@ public:
 private:
     void reseed(std::int64_t seed) {
         if (experiment_.seed) seed = *experiment_.seed;
-        if (seed == 0) seed = std::time(nullptr);
-        random_ = PublishedRandom(static_cast<std::uint32_t>(seed));
+        if (seed == 0) seed = clock_ = clock_ == 0 ? seed_from_clock() : clock_;
+        random_ = PublishedRandom(seed);
     }
 
     void reserve(std::size_t cells) {
@@ -245,17 +117,26 @@ private:
         for (auto* column : {&state_.x, &state_.y, &state_.polarity_x, &state_.polarity_y}) column->reserve(cells);
     }
 
-    float draw(const Spread& spread) {
+    static bool drawn(const Spread& spread) { return static_cast<float>(spread.deviation) != 0.0f; }
+
+    T draw(const Spread& spread) {
+        if (!drawn(spread)) return static_cast<T>(spread.value);
         return random_.deviate(static_cast<float>(spread.value), static_cast<float>(spread.deviation));
     }
 
     Polarity draw_polarity(const std::optional<Spread>& degrees) {
         if (!degrees) return {};
         const double radians = std::numbers::pi * draw(*degrees) / 180;
-        return {std::cos(static_cast<float>(radians)), std::sin(static_cast<float>(radians))};
+        if (drawn(*degrees)) return direction(static_cast<float>(radians));
+        return direction(static_cast<T>(radians));
     }
 
-    void create(float x, float y, bool fixed) {
+    template <class Angle>
+    static Polarity direction(Angle radians) {
+        return {std::cos(radians), std::sin(radians)};
+    }
+
+    void create(T x, T y, bool fixed) {
         if (state_.cells() >= largest_cell_count) {
             throw Error(fmt::format("{}: more than {} cells", experiment_.source, largest_cell_count));
         }
@@ -314,6 +195,7 @@ private:
 
     const Experiment& experiment_;
     PublishedRandom random_;
+    std::int64_t clock_ = 0;  // the seed that stands for 0, once it is needed
     std::vector<Spread> conc_;
     std::vector<Spread> diff_;
     std::optional<Spread> polarity_;
@@ -344,10 +226,19 @@ struct Counter {
 
 }  // namespace
 
-Snapshot initial_state(const Experiment& experiment) {
-    Builder builder(experiment);
+namespace {
+
+template <class T>
+Snapshot built(const Experiment& experiment) {
+    Builder<T> builder(experiment);
     for (const Statement& statement : experiment.prepattern) std::visit(builder, statement);
     return builder.finish();
+}
+
+}  // namespace
+
+Snapshot initial_state(const Experiment& experiment, Precision precision) {
+    return precision == Precision::double_ ? built<double>(experiment) : built<float>(experiment);
 }
 
 std::size_t count_cells(const Experiment& experiment) {

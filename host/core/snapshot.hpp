@@ -22,7 +22,7 @@ struct Snapshot {
     std::vector<std::vector<double>> mappings;  // [mapping][cell]
     std::vector<double> x, y;                   // centres, in units of cell radius
     std::vector<double> polarity_x, polarity_y;
-    std::vector<std::int32_t> birth;
+    std::vector<std::uint32_t> birth;      // iteration at which the cell came to be; never after `iteration`
     std::vector<std::int32_t> neighbours;  // as counted in the previous iteration
     std::vector<std::uint8_t> fixed;
     std::vector<std::pair<std::uint32_t, std::uint32_t>> mirrors;  // ids of mirror pairs

@@ -4,6 +4,7 @@
 #include "core/error.hpp"
 #include "core/prepattern.hpp"
 #include "core/schedule.hpp"
+#include "core/seed.hpp"
 #include "core/space.hpp"
 
 #include <fmt/format.h>
@@ -38,6 +39,37 @@ void check_shape(const Experiment& experiment, const Snapshot& snapshot) {
     if (cells == 0) throw Error("the state has no cells");
 }
 
+// What no run can come to, and what kernels could not count or find.
+void check_values(const Experiment& experiment, const Snapshot& snapshot) {
+    if (snapshot.iteration > largest_iteration) {
+        throw Error(
+            fmt::format("the state is at iteration {}; a run cannot pass {}", snapshot.iteration, largest_iteration));
+    }
+    const auto latest = std::ranges::max_element(snapshot.birth);
+    if (*latest > snapshot.iteration) {
+        throw Error(fmt::format("cell {} of the state is born at iteration {}, after the state's own, {}",
+                                latest - snapshot.birth.begin(), *latest, snapshot.iteration));
+    }
+    for (const auto& [first, second] : snapshot.mirrors) {
+        if (std::max(first, second) >= snapshot.cells()) {
+            throw Error(fmt::format("the state has a mirror pair of cells {} and {}; cells 0 to {} exist", first,
+                                    second, snapshot.cells() - 1));
+        }
+    }
+    for (std::size_t chemical = 0; snapshot.lattice() && chemical < snapshot.diff.size(); ++chemical) {
+        const auto& rates = snapshot.diff[chemical];
+        const auto wrong = std::ranges::find_if(rates, [](double rate) { return rate < 0.0; });
+        if (wrong == rates.end()) continue;
+        throw Error(fmt::format("the state has the diffusion rate {} of '{}' in cell {}; on a lattice none is below 0",
+                                *wrong, experiment.chemicals[chemical].name, wrong - rates.begin()));
+    }
+}
+
+void check_state(const Experiment& experiment, const Snapshot& snapshot) {
+    check_shape(experiment, snapshot);
+    check_values(experiment, snapshot);
+}
+
 }  // namespace
 
 Tissue::Tissue(std::shared_ptr<const Experiment> experiment, const Snapshot& initial)
@@ -45,7 +77,7 @@ Tissue::Tissue(std::shared_ptr<const Experiment> experiment, const Snapshot& ini
       iteration_(initial.iteration),
       columns_(initial.columns),
       rows_(initial.rows) {
-    check_shape(*experiment_, initial);
+    check_state(*experiment_, initial);
 }
 
 void Tissue::advance(std::uint64_t iterations) {
@@ -150,7 +182,7 @@ std::optional<NonFinite> Tissue::non_finite() const {
 }
 
 void Tissue::write(const Snapshot& snapshot) {
-    check_shape(*experiment_, snapshot);
+    check_state(*experiment_, snapshot);
     if (snapshot.lattice() != (columns_ != 0)) throw Error("a lattice and free cells cannot take each other's state");
     lost_ = true;
     do_write(snapshot);
@@ -161,7 +193,9 @@ void Tissue::write(const Snapshot& snapshot) {
 }
 
 std::unique_ptr<Tissue> Backend::make_tissue(const Experiment& experiment) {
-    return make_tissue(experiment, initial_state(experiment));
+    Experiment settled = experiment;
+    settle_seed(settled);
+    return make_tissue(settled, initial_state(settled, precision()));
 }
 
 }  // namespace pelage

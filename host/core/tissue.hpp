@@ -4,6 +4,7 @@
 #include "core/experiment.hpp"
 #include "core/growth.hpp"
 #include "core/neighbours.hpp"
+#include "core/precision.hpp"
 #include "core/resampling.hpp"
 #include "core/snapshot.hpp"
 
@@ -15,8 +16,6 @@
 #include <vector>
 
 namespace pelage {
-
-enum class Precision { single_, double_ };
 
 struct NonFinite {  // a concentration that is NaN or infinite
     std::size_t chemical = 0;
@@ -46,7 +45,9 @@ public:
     void expand(const Insertion&);
 
     Snapshot read() const;
-    void write(const Snapshot&);  // throws Error when the arrays do not fit the experiment
+    // Throws Error when the arrays do not fit the experiment, or hold what no run can come to: an iteration that is too
+    // large, a cell born after it, a mirror pair of cells that are not there, on a lattice a rate below 0.
+    void write(const Snapshot&);
 
     // The first cell, in order of chemical and id, that holds a NaN or an infinity.
     std::optional<NonFinite> non_finite() const;
@@ -94,7 +95,8 @@ public:
     virtual std::string why_not(const Experiment&) const = 0;  // empty: supported
     virtual std::unique_ptr<Tissue> make_tissue(const Experiment&, const Snapshot& initial) = 0;
 
-    std::unique_ptr<Tissue> make_tissue(const Experiment&);  // from the experiment's own prepattern
+    // From the experiment's own prepattern; a seed left to the clock is settled in the tissue's experiment.
+    std::unique_ptr<Tissue> make_tissue(const Experiment&);
 };
 
 }  // namespace pelage

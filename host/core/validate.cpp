@@ -1,27 +1,30 @@
 // validate(): what makes an experiment meaningless, whoever built it.
-#include "core/error.hpp"
+#include "core/checks.hpp"
+#include "core/counted.hpp"
 #include "core/experiment.hpp"
-#include "core/prepattern.hpp"
 #include "core/space.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <set>
 
 namespace pelage {
 
 namespace {
 
-class Checker {
+constexpr double infinity = std::numeric_limits<double>::infinity();
+
+class Checker : public Checks {
 public:
-    explicit Checker(const Experiment& experiment) : experiment_(experiment), space_(space_of(experiment)) {}
+    explicit Checker(const Experiment& experiment) : Checks(experiment), space_(space_of(experiment)) {}
 
     void check() {
         check_names();
         check_phases();
-        check_cells();
+        validate_start(experiment_);
         for (const Rule& rule : experiment_.rules) check_rule(rule);
         for (const Output& output : experiment_.outputs) check_chemical(output.chemical, "an output");
         if (experiment_.outputs.empty()) fail("an experiment needs at least one output");
@@ -31,11 +34,6 @@ public:
     }
 
 private:
-    [[noreturn]] void fail(const std::string& what) const {
-        const std::string where = line_ == 0 ? experiment_.source : fmt::format("{}:{}", experiment_.source, line_);
-        throw Error(where + ": " + what);
-    }
-
     void check_names() const {
         if (experiment_.chemicals.empty()) fail("no chemical is defined; `define chemical NAME`");
         if (experiment_.chemicals.size() > largest_chemical_count) {
@@ -52,56 +50,45 @@ private:
     }
 
     void check_phases() const {
-        if (experiment_.phases.empty() || experiment_.phases.front().begin != 0)
-            fail("the first phase must begin at iteration 0");
-        for (std::size_t i = 0; i < experiment_.phases.size(); ++i) {
-            const Phase& phase = experiment_.phases[i];
-            if (i > 0 && phase.begin <= experiment_.phases[i - 1].begin)
-                fail(fmt::format("phase '{}' is empty", phase.name));
-            if (!(phase.time_step > 0.0) || !std::isfinite(phase.time_step)) {
-                fail(fmt::format("the time step must be positive; found {}", phase.time_step));
-            }
-            const std::size_t count = experiment_.chemicals.size();
-            if (phase.bounds.size() != count || phase.rates.size() != count) {
-                fail(fmt::format("phase '{}' needs bounds and rates for each of the {} chemicals", phase.name, count));
-            }
-            for (std::size_t chemical = 0; chemical < count; ++chemical) {
-                const Bounds& bounds = phase.bounds[chemical];
-                if (std::isnan(bounds.floor) || std::isnan(bounds.limit) || bounds.floor > bounds.limit) {
-                    fail(fmt::format("chemical '{}' has floor {} above its limit {}",
-                                     experiment_.chemicals[chemical].name, bounds.floor, bounds.limit));
-                }
-            }
+        const auto& phases = experiment_.phases;
+        if (phases.empty() || phases.front().begin != 0) fail("the first phase must begin at iteration 0");
+        for (std::size_t i = 0; i < phases.size(); ++i) {
+            if (i > 0 && phases[i].begin <= phases[i - 1].begin)
+                fail(fmt::format("phase '{}' is empty", phases[i].name));
+            check_phase(phases[i]);
         }
     }
 
-    void check_cells() const {
-        for (const Statement& statement : experiment_.prepattern) {
-            if (const auto* use = std::get_if<UseChemical>(&statement)) check_chemical(use->chemical, "a `use`");
-            if (const auto* grid = std::get_if<CreateGrid>(&statement))
-                check_size(grid->columns, std::max<std::size_t>(grid->rows, 1));
-            if (const auto* matrix = std::get_if<CreateMatrix>(&statement)) check_size(matrix->columns, matrix->rows);
+    void check_phase(const Phase& phase) const {
+        if (!(phase.time_step >= smallest_time_step) || !std::isfinite(phase.time_step)) {
+            fail(fmt::format("the time step must be positive and no less than {:.3g}; found {}", smallest_time_step,
+                             phase.time_step));
         }
-        const std::size_t cells = count_cells(experiment_);
-        if (cells == 0) fail("no cells are created; `create` some");
-        check_size(cells, 1);
+        const std::size_t count = experiment_.chemicals.size();
+        if (phase.bounds.size() != count || phase.rates.size() != count) {
+            fail(fmt::format("phase '{}' needs bounds and rates for each of the {} chemicals", phase.name, count));
+        }
+        for (std::size_t chemical = 0; chemical < count; ++chemical) {
+            const std::string& name = experiment_.chemicals[chemical].name;
+            check_bounds(phase.bounds[chemical], name);
+            const double rate = phase.rates[chemical].value_or(0.0);
+            if (rate >= 0.0 && std::isfinite(rate)) continue;
+            fail(fmt::format("phase '{}' gives '{}' the diffusion rate {}; a rate is a number not below 0", phase.name,
+                             name, rate));
+        }
+    }
+
+    void check_bounds(const Bounds& bounds, const std::string& name) const {
+        if (std::isnan(bounds.floor) || std::isnan(bounds.limit) || bounds.floor > bounds.limit) {
+            fail(fmt::format("chemical '{}' has floor {} above its limit {}", name, bounds.floor, bounds.limit));
+        }
+        if (bounds.floor == infinity || bounds.limit == -infinity) {
+            fail(fmt::format("chemical '{}' has bounds that no number meets: {} to {}", name, bounds.floor,
+                             bounds.limit));
+        }
     }
 
     const Lattice* lattice() const { return std::get_if<Lattice>(&space_); }
-
-    void check_size(std::size_t columns, std::size_t rows) const {
-        if (columns > largest_cell_count || rows > largest_cell_count / std::max<std::size_t>(columns, 1)) {
-            fail(fmt::format("{} x {} cells are more than the {} that can be addressed", columns, rows,
-                             largest_cell_count));
-        }
-    }
-
-    void check_chemical(std::size_t chemical, const char* where) const {
-        if (chemical >= experiment_.chemicals.size()) {
-            fail(fmt::format("{} names chemical number {}; {} are defined", where, chemical,
-                             experiment_.chemicals.size()));
-        }
-    }
 
     void check_operand(const Operand& operand) const {
         switch (operand.quantity) {
@@ -155,14 +142,15 @@ private:
         }
         check_operand(react.scale);
         if (react.parameters.size() != parameter_count(react.model)) {
-            fail(fmt::format("{} takes {} parameters; found {}", model_name(react.model), parameter_count(react.model),
-                             react.parameters.size()));
+            fail(fmt::format("{} takes {}; found {}", model_name(react.model),
+                             counted(parameter_count(react.model), "parameter"), react.parameters.size()));
         }
         for (const Operand& parameter : react.parameters) check_operand(parameter);
     }
     void check_action(const Rule&, const Change& change) const {
         check_chemical(change.chemical, "a `change`");
         check_operand(change.amount);
+        check_deviation(change.deviation);
     }
     void check_action(const Rule&, const Set& set) const {
         check_chemical(set.chemical, "a `set`");
@@ -171,14 +159,23 @@ private:
     void check_action(const Rule& rule, const Map& map) const {
         if (!std::holds_alternative<Always>(rule.condition)) fail("a `map` rule takes the condition `always`");
         if (map.mapping >= experiment_.mappings.size()) fail("a `map` rule writes a mapping that is not defined");
-        if (map.from_low == map.from_high) fail("a `map` rule needs two different source limits");
+        for (const double end : {map.from_low, map.from_high, map.to_low, map.to_high})
+            check_number(end, "an end of a `map` rule's interval");
+        if (static_cast<float>(map.from_low) == static_cast<float>(map.from_high))
+            fail("a `map` rule needs two different source limits");
         check_operand(map.value);
     }
     void check_action(const Rule&, const Polarize& polarize) const {
         check_chemical(polarize.chemical, "a `polarize`");
     }
-    void check_action(const Rule&, const Divide& divide) const { check_operand(divide.direction); }
-    void check_action(const Rule&, const Move& move) const { check_operand(move.distance); }
+    void check_action(const Rule&, const Divide& divide) const {
+        check_operand(divide.direction);
+        check_deviation(divide.deviation);
+    }
+    void check_action(const Rule&, const Move& move) const {
+        check_operand(move.distance);
+        check_deviation(move.deviation);
+    }
     void check_action(const Rule&, const And&) const {}
     void check_action(const Rule& rule, const Expand& expand) const {
         if (lattice() == nullptr || !lattice()->expandable)
@@ -198,9 +195,7 @@ private:
         if (expand.interpolation && draws) fail("an interpolation takes no order, no distribution and no weight");
     }
 
-    const Experiment& experiment_;
     Space space_;
-    std::size_t line_ = 0;
 };
 
 }  // namespace

@@ -3,16 +3,38 @@
 
 #include "core/error.hpp"
 #include "io/file_bytes.hpp"
+#include "io/locked.hpp"
 
+#include <fcntl.h>
 #include <fmt/format.h>
 #include <unistd.h>
 #include <atomic>
 #include <cerrno>
+#include <mutex>
+#include <set>
 #include <system_error>
 
 namespace pelage {
 
 namespace fs = std::filesystem;
+
+namespace {
+
+constexpr const char* aside_beginning = ".pelage-";
+constexpr const char* aside_ending = ".part";
+
+// What programs that were killed have left there; once a folder is enough.
+void tidy(const fs::path& folder) {
+    static std::mutex guard;
+    static std::set<fs::path> tidied;
+    {
+        const std::lock_guard lock(guard);
+        if (!tidied.insert(folder).second) return;
+    }
+    remove_left_over(folder, aside_beginning, aside_ending);
+}
+
+}  // namespace
 
 AtomicFile::AtomicFile(const fs::path& path) : path_(path), target_(path) {
     std::error_code ignored;
@@ -39,10 +61,15 @@ AtomicFile::~AtomicFile() {
 
 void AtomicFile::open_aside() {
     static std::atomic<unsigned> serial{0};
-    do {  // a name may be left over from a program that was killed
-        aside_ = target_.parent_path() / fmt::format(".pelage-{}-{}.part", getpid(), serial++);
-        file_ = std::fopen(aside_.c_str(), "wbx");
-    } while (file_ == nullptr && errno == EEXIST);
+    const fs::path folder = target_.has_parent_path() ? target_.parent_path() : fs::path(".");
+    tidy(folder);
+    for (;;) {
+        aside_ = folder / fmt::format("{}{}-{}{}", aside_beginning, getpid(), serial++, aside_ending);
+        file_ = std::fopen(aside_.c_str(), "wbxe");
+        if (file_ == nullptr && errno == EEXIST) continue;  // it was left by a program that was killed
+        if (file_ == nullptr || lock_own(::fileno(file_), aside_)) return;
+        std::fclose(file_);
+    }
 }
 
 void AtomicFile::check(bool good) {
@@ -83,10 +110,15 @@ void AtomicFile::sync() {
 void AtomicFile::commit() {
     check_open();
     check(std::fflush(file_) == 0);
+    const int lock = ::fcntl(::fileno(file_), F_DUPFD_CLOEXEC, 0);  // nobody tidies it up before it has its name
     std::FILE* const file = file_;
     file_ = nullptr;  // fclose ends the stream even when it fails
-    check(std::fclose(file) == 0);
-    check(aside_.empty() || std::rename(aside_.c_str(), target_.c_str()) == 0);
+    const bool closed = std::fclose(file) == 0;
+    const bool named = closed && (aside_.empty() || std::rename(aside_.c_str(), target_.c_str()) == 0);
+    const int reason = errno;
+    if (lock >= 0) ::close(lock);
+    errno = reason;
+    check(named);
 }
 
 void write_file(const fs::path& path, std::string_view text) {

@@ -5,10 +5,10 @@
 //   payload   experiment, source, folder, backend, device, version (texts: uint64 length, bytes); precision (uint8: 4
 //   or 8),
 //             seed (int64); iteration, columns, rows (uint64), origin_x, origin_y (double); x, y (arrays); conc, diff,
-//             mappings (uint64 number, then arrays); polarity_x, polarity_y (arrays of double), birth, neighbours
-//             (int32), fixed (uint8), mirrors (uint32, two a pair). An array: uint64 count, uint8 1 when all elements
-//             have the same bits and only one follows, else 0; x and y are always written out: their length bounds what
-//             a short file can ask for.
+//             mappings (uint64 number, then arrays); polarity_x, polarity_y (arrays of double), birth (uint32),
+//             neighbours (int32), fixed (uint8), mirrors (uint32, two a pair). An array: uint64 count, uint8 1 when all
+//             elements have the same bits and only one follows, else 0; x and y are always written out: their length
+//             bounds what a short file can ask for.
 //   uint64    Checksum of the payload
 #pragma once
 

@@ -1,4 +1,5 @@
 // See checkpoint.hpp and checkpoint_format.hpp.
+#include "core/counted.hpp"
 #include "core/error.hpp"
 #include "core/experiment.hpp"
 #include "io/checkpoint.hpp"
@@ -98,7 +99,7 @@ std::string_view checked_payload(std::string_view bytes, const std::string& name
         throw Error(fmt::format("'{}' is not a checkpoint", name));
     }
     if (bytes.size() < format::payload_place + format::checksum_size) {
-        throw Error(fmt::format("'{}' is a truncated checkpoint: it has only {} bytes", name, bytes.size()));
+        throw Error(fmt::format("'{}' is a truncated checkpoint: it has only {}", name, counted(bytes.size(), "byte")));
     }
     const auto version = load<std::uint32_t>(bytes.data() + format::magic.size());
     if (version != format::version) {
@@ -107,8 +108,8 @@ std::string_view checked_payload(std::string_view bytes, const std::string& name
     }
     const auto size = load<std::uint64_t>(bytes.data() + format::size_place);
     if (size != bytes.size()) {
-        throw Error(fmt::format("'{}' is a {} checkpoint: it has {} bytes and should have {}", name,
-                                bytes.size() < size ? "truncated" : "corrupted", bytes.size(), size));
+        throw Error(fmt::format("'{}' is a {} checkpoint: it has {} and should have {}", name,
+                                bytes.size() < size ? "truncated" : "corrupted", counted(bytes.size(), "byte"), size));
     }
     const auto payload =
         bytes.substr(format::payload_place, bytes.size() - format::payload_place - format::checksum_size);

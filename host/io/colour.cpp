@@ -13,10 +13,22 @@ namespace {
 
 constexpr double least_slotted_range = 1e-4;
 
-Rgb mix(const Rgb& from, const Rgb& to, double share) {
-    Rgb result;
+constexpr double deep_steps = 257.0;  // 255 * 257 = 65535
+
+DeepRgb deepened(const Rgb& colour) {
+    DeepRgb result;
+    for (std::size_t i = 0; i < 3; ++i) result[i] = static_cast<std::uint16_t>(colour[i] * 257);
+    return result;
+}
+
+// Between two colours of 8 bits, in 8 or 16.
+template <class Result>
+Result mix(const Rgb& from, const Rgb& to, double share) {
+    using Sample = typename Result::value_type;
+    constexpr double scale = sizeof(Sample) == 1 ? 1.0 : deep_steps;
+    Result result;
     for (std::size_t i = 0; i < 3; ++i) {
-        result[i] = static_cast<std::uint8_t>(std::lround(from[i] + share * (to[i] - from[i])));
+        result[i] = static_cast<Sample>(std::lround(scale * (from[i] + share * (to[i] - from[i]))));
     }
     return result;
 }
@@ -32,13 +44,14 @@ std::vector<ColourStop> sorted_stops(const Colormap& map) {
     return stops;
 }
 
-Rgb linear(const std::vector<ColourStop>& stops, double at) {
+template <class Result>
+Result linear(const std::vector<ColourStop>& stops, double at) {
     const auto above = std::upper_bound(stops.begin(), stops.end(), at,
                                         [](double value, const ColourStop& stop) { return value < stop.at; });
-    if (above == stops.begin()) return stops.front().rgb;
-    if (above == stops.end()) return stops.back().rgb;
+    if (above == stops.begin()) return mix<Result>(stops.front().rgb, stops.front().rgb, 0.0);
+    if (above == stops.end()) return mix<Result>(stops.back().rgb, stops.back().rgb, 0.0);
     const auto& below = *(above - 1);
-    return mix(below.rgb, above->rgb, (at - below.at) / (above->at - below.at));
+    return mix<Result>(below.rgb, above->rgb, (at - below.at) / (above->at - below.at));
 }
 
 Rgb constant(const std::vector<ColourStop>& stops, double at) {
@@ -56,7 +69,7 @@ std::vector<Rgb> fill_slots(std::vector<ColourStop> stops, bool striped) {
     for (std::size_t i = 0; i < slot_count; ++i) {
         const auto at = static_cast<double>(i);
         // The last slot always has the last colour; a stripe that begins there is one slot wide.
-        slots.push_back(striped ? constant(stops, at) : linear(stops, at));
+        slots.push_back(striped ? constant(stops, at) : linear<Rgb>(stops, at));
     }
     return slots;
 }
@@ -80,50 +93,78 @@ Palette::Palette(const Colormap& map)
 }
 
 Rgb Palette::operator()(double above, double range) const {
-    if (slotted_) return slots_[static_cast<std::size_t>(static_cast<double>(slot_count - 1) * above / range)];
-    return linear(stops_, above / range);
+    if (!slotted_) return linear<Rgb>(stops_, std::clamp(above / range, 0.0, 1.0));
+    const auto last = static_cast<double>(slot_count - 1);
+    return slots_[static_cast<std::size_t>(std::clamp(last * above / range, 0.0, last))];
 }
 
-Colours::Colours(const Output& output, std::span<const double> values) : palette_(output.colormap) {
+DeepRgb Palette::deep(double above, double range) const {
+    if (slotted_) return deepened((*this)(above, range));
+    return linear<DeepRgb>(stops_, std::clamp(above / range, 0.0, 1.0));
+}
+
+ValueRange range_of(std::span<const double> values) {
+    ValueRange range;
+    for (const double value : values) {
+        if (std::isfinite(value)) range.widen({value, value});
+    }
+    return range;
+}
+
+Colours::Colours(const Output& output, const ValueRange& found) : palette_(output.colormap) {
     if (output.range) {
         low_ = (*output.range)[0];
         high_ = (*output.range)[1];
-        return;
+    } else if (!found.empty()) {
+        low_ = found.low;
+        high_ = found.high;
     }
-    low_ = std::numeric_limits<double>::infinity();
-    high_ = -low_;
-    for (const double value : values) {
-        if (!std::isfinite(value)) continue;
-        low_ = std::min(low_, value);
-        high_ = std::max(high_, value);
-    }
-    if (low_ > high_) low_ = high_ = 0.0;
+    const double range = high_ - low_;
+    flat_ = range == 0.0 || !std::isfinite(slot_count * range) ||
+            (palette_.slotted() && !output.range && range < least_slotted_range);
 }
+
+Colours::Colours(const Output& output, std::span<const double> values)
+    : Colours(output, output.range ? ValueRange{} : range_of(values)) {}
 
 Rgb Colours::operator()(double value) const {
     if (std::isnan(value)) return magenta;
-    const double range = high_ - low_;
-    if (!std::isfinite(slot_count * range)) return grey;
-    if (palette_.slotted()) {
-        if (range < least_slotted_range || value < low_ || value > high_) return grey;
-        return palette_(value - low_, range);
-    }
-    if (range == 0.0) return grey;
-    return palette_(std::clamp((value - low_) / range, 0.0, 1.0), 1.0);
+    return flat_ ? grey : palette_(value - low_, high_ - low_);
 }
 
-Picture render(std::span<const double> values, std::size_t columns, std::size_t rows, const Output& output) {
+DeepRgb Colours::deep(double value) const {
+    if (std::isnan(value)) return deepened(magenta);
+    return flat_ ? deepened(grey) : palette_.deep(value - low_, high_ - low_);
+}
+
+namespace {
+
+template <class Pixels, class Colour>
+Pixels drawn(std::span<const double> values, std::size_t columns, std::size_t rows, const Colour& colour) {
     if (values.size() != columns * rows) {
         throw Error(fmt::format("{} values cannot be drawn as {} x {} pixels", values.size(), columns, rows));
     }
-    const Colours colours(output, values);
-    Picture picture(columns, rows);
+    Pixels picture(columns, rows);
     for (std::size_t row = 0; row < rows; ++row) {
         for (std::size_t column = 0; column < columns; ++column) {
-            picture.at(column, rows - 1 - row) = colours(values[row * columns + column]);
+            picture.at(column, rows - 1 - row) = colour(values[row * columns + column]);
         }
     }
     return picture;
+}
+
+}  // namespace
+
+Picture render(std::span<const double> values, std::size_t columns, std::size_t rows, const Colours& colours) {
+    return drawn<Picture>(values, columns, rows, colours);
+}
+
+DeepPicture render_deep(std::span<const double> values, std::size_t columns, std::size_t rows, const Colours& colours) {
+    return drawn<DeepPicture>(values, columns, rows, [&](double value) { return colours.deep(value); });
+}
+
+Picture render(std::span<const double> values, std::size_t columns, std::size_t rows, const Output& output) {
+    return render(values, columns, rows, Colours(output, values));
 }
 
 }  // namespace pelage

@@ -4,7 +4,9 @@
 #include "core/experiment.hpp"
 #include "io/picture.hpp"
 
+#include <algorithm>
 #include <array>
+#include <limits>
 #include <span>
 #include <vector>
 
@@ -22,8 +24,9 @@ public:
     explicit Palette(const Colormap&);
 
     bool slotted() const { return slotted_; }
-    // Of a value that lies `above` the low end of a range: 0 <= above / range <= 1.
+    // Of a value that lies `above` the low end of a range; beyond its ends the end colours.
     Rgb operator()(double above, double range) const;
+    DeepRgb deep(double above, double range) const;  // 16 bits: linear maps have more colours
 
 private:
     bool slotted_ = false;
@@ -31,25 +34,49 @@ private:
     std::vector<Rgb> slots_;         // 100, or none
 };
 
-// The colour of a value: its place in [low, high]. A NaN is magenta. As published, a slotted map shows what lies
-// outside and everything, when the range is below 1e-4, as 50 % grey; other maps keep their end colours outside, and
-// are grey where low == high.
+// From the lowest to the highest value that is drawn.
+struct ValueRange {
+    double low = std::numeric_limits<double>::infinity();
+    double high = -std::numeric_limits<double>::infinity();
+
+    bool empty() const { return !(low <= high); }
+    void widen(const ValueRange& other) {
+        low = std::min(low, other.low);
+        high = std::max(high, other.high);
+    }
+    bool operator==(const ValueRange&) const = default;
+};
+
+// Minimum to maximum of the finite values; empty where there are none.
+ValueRange range_of(std::span<const double> values);
+
+// The colour of a value: its place in a range. What lies outside takes the colour of the range's nearer end, a NaN is
+// magenta. Where the range is not the output's own but found from values, 50 % grey stands for "all equal": low ==
+// high, and with a slotted map, as published, a range below 1e-4.
 class Colours {
 public:
-    // The range is the output's own, else minimum to maximum of the finite values.
+    // The range is the output's own, else `found`.
+    Colours(const Output&, const ValueRange& found);
+    // The range is the output's own, else that of the values.
     Colours(const Output&, std::span<const double> values);
 
     double low() const { return low_; }
     double high() const { return high_; }
     Rgb operator()(double value) const;
+    DeepRgb deep(double value) const;  // 16 bits; linear maps have colours between those of 8 bits
 
 private:
     Palette palette_;
     double low_ = 0.0;
     double high_ = 0.0;
+    bool flat_ = false;
 };
 
 // One pixel a value; `values` has the bottom row first, the picture the top line.
+Picture render(std::span<const double> values, std::size_t columns, std::size_t rows, const Colours&);
+DeepPicture render_deep(std::span<const double> values, std::size_t columns, std::size_t rows, const Colours&);
+
+// The same with the values' own range, or the output's.
 Picture render(std::span<const double> values, std::size_t columns, std::size_t rows, const Output&);
 
 }  // namespace pelage

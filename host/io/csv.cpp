@@ -31,36 +31,41 @@ std::string head(const Experiment& experiment) {
     return line + "\n";
 }
 
-void append(fmt::memory_buffer& to, double value) {
+void append(fmt::memory_buffer& to, double value, Precision precision) {
     to.push_back(',');
     if (value == 0.0) {  // most of the polarities and many rates
         to.append(std::string_view(std::signbit(value) ? "-0" : "0"));
         return;
     }
-    fmt::format_to(std::back_inserter(to), FMT_COMPILE("{:.9g}"), value);
+    if (precision == Precision::single_)
+        fmt::format_to(std::back_inserter(to), FMT_COMPILE("{:.9g}"), value);
+    else
+        fmt::format_to(std::back_inserter(to), FMT_COMPILE("{}"), value);
 }
 
-void append_cell(fmt::memory_buffer& to, const Snapshot& cells, std::size_t i) {
+void append_cell(fmt::memory_buffer& to, const Snapshot& cells, std::size_t i, Precision precision) {
+    const auto add = [&](double value) { append(to, value, precision); };
     fmt::format_to(std::back_inserter(to), FMT_COMPILE("{}"), i);
-    append(to, cells.x[i]);
-    append(to, cells.y[i]);
+    add(cells.x[i]);
+    add(cells.y[i]);
     fmt::format_to(std::back_inserter(to), FMT_COMPILE(",{},{}"), cells.birth[i], cells.neighbours[i]);
-    append(to, cells.polarity_x[i]);
-    append(to, cells.polarity_y[i]);
-    for (const auto& values : cells.conc) append(to, values[i]);
-    for (const auto& values : cells.diff) append(to, values[i]);
+    add(cells.polarity_x[i]);
+    add(cells.polarity_y[i]);
+    for (const auto& values : cells.conc) add(values[i]);
+    for (const auto& values : cells.diff) add(values[i]);
     to.push_back('\n');
 }
 
 }  // namespace
 
-void write_csv(const std::filesystem::path& path, const Snapshot& snapshot, const Experiment& experiment) {
+void write_csv(const std::filesystem::path& path, const Snapshot& snapshot, const Experiment& experiment,
+               Precision precision) {
     check_shape(snapshot, experiment);
     AtomicFile file(path);
     file.write(head(experiment));
     fmt::memory_buffer buffer;
     for (std::size_t i = 0; i < snapshot.cells(); ++i) {
-        append_cell(buffer, snapshot, i);
+        append_cell(buffer, snapshot, i, precision);
         if (buffer.size() < bytes_at_once && i + 1 < snapshot.cells()) continue;
         file.write(buffer.data(), buffer.size());
         buffer.clear();

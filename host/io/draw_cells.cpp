@@ -135,10 +135,9 @@ void draw_marks(const Snapshot& cells, const View& view, Picture& picture) {
 
 }  // namespace
 
-Picture draw_cells(const Snapshot& cells, const Output& output, const CellDrawing& drawing) {
-    if (output.chemical >= cells.conc.size()) throw Error("the output's chemical is not among the snapshot's");
-    const auto& values = cells.conc[output.chemical];
-    const Colours colours(output, values);
+Picture draw_cells(const Snapshot& cells, std::size_t chemical, const Colours& colours, const CellDrawing& drawing) {
+    if (chemical >= cells.conc.size()) throw Error("the output's chemical is not among the snapshot's");
+    const auto& values = cells.conc[chemical];
     const auto view = fit(cells, drawing);
     Picture picture(view.columns, view.rows, white);
     if (drawing.shape == CellShape::voronoi) {
@@ -148,6 +147,11 @@ Picture draw_cells(const Snapshot& cells, const Output& output, const CellDrawin
     }
     if (drawing.polarity_marks) draw_marks(cells, view, picture);
     return picture;
+}
+
+Picture draw_cells(const Snapshot& cells, const Output& output, const CellDrawing& drawing) {
+    if (output.chemical >= cells.conc.size()) throw Error("the output's chemical is not among the snapshot's");
+    return draw_cells(cells, output.chemical, Colours(output, cells.conc[output.chemical]), drawing);
 }
 
 }  // namespace pelage

@@ -12,9 +12,12 @@
 
 namespace pelage {
 
+enum class ExrType { float_, half };  // 32 or 16 bits; a half keeps 3 digits and ends at 65504
+
 struct ExrChannel {
     std::string name;
     std::span<const double> values;  // columns * rows, bottom row first
+    ExrType type = ExrType::float_;
 };
 
 struct ExrPicture {
@@ -25,9 +28,12 @@ struct ExrPicture {
     Attributes attributes;                    // those of type string
 };
 
-// One 32-bit FLOAT channel each, losslessly compressed; the highest row is the picture's top line. Throws Error naming
-// the file when it cannot be written, when two channels have the same name, or when an attribute's name is one of EXR's
-// own.
+// The attribute under which our pictures name the channels that are chemicals, separated by spaces.
+inline constexpr const char* exr_chemicals = "pelage:chemicals";
+
+// Losslessly compressed, by several threads where the picture is large; the highest row is the picture's top line.
+// Attributes that are not UTF-8 are mended. Throws Error naming the file when it cannot be written, when two channels
+// have the same name, or when an attribute's name is one of EXR's own.
 void write_exr(const std::filesystem::path&, std::size_t columns, std::size_t rows, const std::vector<ExrChannel>&,
                const Attributes&);
 

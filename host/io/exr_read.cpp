@@ -2,6 +2,7 @@
 // what it says.
 #include "core/error.hpp"
 #include "io/exr.hpp"
+#include "io/exr_channels.hpp"
 #include "io/exr_stream.hpp"
 #include "io/field.hpp"
 #include "io/file_bytes.hpp"
@@ -32,20 +33,6 @@ bool ExrInput::read(char to[], int count) {
 }
 
 namespace {
-
-// The names of the channels that make a value: one, or R, G, B for luminance.
-std::vector<std::string> wanted_channels(const std::vector<std::string>& names, const std::string& channel,
-                                         const std::string& name) {
-    const auto has = [&](const std::string& wanted) {
-        return std::find(names.begin(), names.end(), wanted) != names.end();
-    };
-    if (names.empty()) throw Error(fmt::format("'{}' holds no channels", name));
-    if (channel.empty())
-        return has("R") && has("G") && has("B") ? std::vector<std::string>{"R", "G", "B"} : std::vector{names[0]};
-    if (!has(channel))
-        throw Error(fmt::format("'{}' has no channel '{}'; it has {}", name, channel, fmt::join(names, ", ")));
-    return {channel};
-}
 
 void check_header(std::string_view bytes, const std::string& name) {
     if (bytes.size() < 8) throw std::runtime_error("it ends too early");
@@ -96,27 +83,34 @@ std::vector<std::vector<float>> read_planes(Imf::InputFile& file, const std::vec
     return planes;
 }
 
-ExrPicture read_picture(std::string_view bytes, const std::string& name,
-                        const std::function<std::vector<std::string>(const std::vector<std::string>&)>& choose) {
+Attributes texts_of(const Imf::Header& header) {
+    Attributes texts;
+    for (auto it = header.begin(); it != header.end(); ++it) {
+        const auto* text = dynamic_cast<const Imf::StringAttribute*>(&it.attribute());
+        if (text != nullptr) texts[it.name()] = text->value();
+    }
+    return texts;
+}
+
+using Choose = std::function<std::vector<std::string>(const std::vector<std::string>&, const Attributes&)>;
+
+ExrPicture read_picture(std::string_view bytes, const std::string& name, const Choose& choose) {
     check_header(bytes, name);
     ExrInput stream(bytes, name);
     Imf::InputFile file(stream, 0);
     const auto window = file.header().dataWindow();
+    auto texts = texts_of(file.header());
     ExrPicture picture{static_cast<std::size_t>(window.max.x - window.min.x) + 1,
                        static_cast<std::size_t>(window.max.y - window.min.y) + 1,
-                       choose(channel_names(file)),
+                       choose(channel_names(file), texts),
                        {},
-                       {}};
+                       std::move(texts)};
     for (const auto& plane : read_planes(file, picture.names)) {
         auto& values = picture.values.emplace_back(plane.size());
         for (std::size_t line = 0; line < picture.rows; ++line) {
             const auto* const from = plane.data() + line * picture.columns;
             std::copy(from, from + picture.columns, values.data() + (picture.rows - 1 - line) * picture.columns);
         }
-    }
-    for (auto it = file.header().begin(); it != file.header().end(); ++it) {
-        const auto* text = dynamic_cast<const Imf::StringAttribute*>(&it.attribute());
-        if (text != nullptr) picture.attributes[it.name()] = text->value();
     }
     return picture;
 }
@@ -136,14 +130,18 @@ auto naming_the_file(const std::string& name, const Work& work) {
 }  // namespace
 
 ExrPicture parse_exr_picture(std::string_view bytes, const std::string& name) {
-    return naming_the_file(name, [&] { return read_picture(bytes, name, [](const auto& names) { return names; }); });
+    return naming_the_file(
+        name, [&] { return read_picture(bytes, name, [](const auto& names, const auto&) { return names; }); });
 }
 
 ExrPicture read_exr(const std::filesystem::path& path) { return parse_exr_picture(read_file(path), path.string()); }
 
 Field parse_exr(std::string_view bytes, const std::string& channel, const std::string& name) {
     auto picture = naming_the_file(name, [&] {
-        return read_picture(bytes, name, [&](const auto& names) { return wanted_channels(names, channel, name); });
+        return read_picture(bytes, name, [&](const auto& names, const Attributes& texts) {
+            const auto chemicals = texts.find(exr_chemicals);
+            return wanted_channels(names, chemicals == texts.end() ? "" : chemicals->second, channel, name);
+        });
     });
     auto& values = picture.values;
     if (values.size() == 3) {

@@ -1,6 +1,7 @@
 // See field.hpp.
 #include "io/field.hpp"
 
+#include "core/counted.hpp"
 #include "core/error.hpp"
 #include "io/file_bytes.hpp"
 #include "io/npy.hpp"
@@ -30,13 +31,6 @@ Field field_of(NpyArray array, const std::string& channel, const std::string& na
     return {array.shape[1], array.shape[0], std::move(array.values)};
 }
 
-Field parse_field(std::string_view bytes, const std::string& channel, const std::string& name) {
-    if (bytes.starts_with(png_magic)) return parse_png(bytes, channel, name);
-    if (bytes.starts_with(exr_magic)) return parse_exr(bytes, channel, name);
-    if (bytes.starts_with(npy_magic)) return field_of(parse_npy(bytes, name), channel, name);
-    throw Error(fmt::format("'{}' is neither a PNG nor an EXR picture nor an .npy array", name));
-}
-
 void check_finite(const Field& field, const std::string& name) {
     for (std::size_t i = 0; i < field.values.size(); ++i) {
         if (std::isfinite(field.values[i])) continue;
@@ -55,8 +49,8 @@ void check_picture_size(std::size_t columns, std::size_t rows, std::size_t raw_s
             fmt::format("'{}' is {} x {}; at most {} cells are allowed", name, columns, rows, largest_cell_count));
     }
     if (raw_size / largest_gain > file_size) {
-        throw Error(
-            fmt::format("'{}' is corrupted: it says {} x {} but has only {} bytes", name, columns, rows, file_size));
+        throw Error(fmt::format("'{}' is corrupted: it says {} x {} but has only {}", name, columns, rows,
+                                counted(file_size, "byte")));
     }
 }
 
@@ -65,10 +59,22 @@ double luminance(double red, double green, double blue) {
     return 0.2126 * red + 0.7152 * green + 0.0722 * blue;
 }
 
+Field parse_field(std::string_view bytes, const std::string& channel, const std::string& name) {
+    Field field;
+    if (bytes.starts_with(png_magic))
+        field = parse_png(bytes, channel, name);
+    else if (bytes.starts_with(exr_magic))
+        field = parse_exr(bytes, channel, name);
+    else if (bytes.starts_with(npy_magic))
+        field = field_of(parse_npy(bytes, name), channel, name);
+    else
+        throw Error(fmt::format("'{}' is neither a PNG nor an EXR picture nor an .npy array", name));
+    check_finite(field, name);
+    return field;
+}
+
 std::shared_ptr<const Field> read_field(const std::filesystem::path& path, const std::string& channel) {
-    auto field = parse_field(read_file(path), channel, path.string());
-    check_finite(field, path.string());
-    return std::make_shared<const Field>(std::move(field));
+    return std::make_shared<const Field>(parse_field(read_file(path), channel, path.string()));
 }
 
 }  // namespace pelage

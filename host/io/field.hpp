@@ -11,14 +11,16 @@
 namespace pelage {
 
 // Reads, told apart by their first bytes:
-//   PNG   1 to 16 bits, any colour type, scaled to 0..1; `channel` is R, G, B, A, or empty for luminance
-//   EXR   scan lines; `channel` is a channel's name; empty: luminance of R, G, B where those are, else the first
-//   channel .npy  two dimensions; `channel` must be empty
+//   PNG   1 to 16 bits, any colour type, scaled to 0..1; `channel` is R, G, B (the same in shades of grey), A where the
+//         picture has it, or empty for luminance, which leaves alpha out of account
+//   EXR   scan lines; `channel` is a channel's name; empty: see exr_channels.hpp
+//   .npy  two dimensions; `channel` must be empty
 // A picture's lowest line becomes row 0; row 0 of an array stays row 0. Throws Error naming the file when it is not
 // there, corrupted, holds a NaN or infinity, no such channel, no cell or more than largest_cell_count.
 std::shared_ptr<const Field> read_field(const std::filesystem::path&, const std::string& channel);
+Field parse_field(std::string_view bytes, const std::string& channel, const std::string& name);  // the same from memory
 
-// The same from memory; `name` is for messages.
+// Of one kind, whose numbers may be NaN or infinite; `name` is for messages.
 Field parse_png(std::string_view bytes, const std::string& channel, const std::string& name);
 Field parse_exr(std::string_view bytes, const std::string& channel, const std::string& name);
 

@@ -15,6 +15,27 @@ std::string iso_time(std::chrono::system_clock::time_point time) {
     return fmt::format("{:%Y-%m-%dT%H:%M:%SZ}", fmt::gmtime(std::chrono::system_clock::to_time_t(time)));
 }
 
+nlohmann::ordered_json options_of(const Manifest& manifest) {
+    auto options = nlohmann::ordered_json::object();
+    for (const auto& [name, flag, value] : manifest.options) {
+        auto& entry = options[name] = nullptr;
+        if (flag)
+            entry = value.has_value();
+        else if (value)
+            entry = *value;
+    }
+    return options;
+}
+
+nlohmann::ordered_json inputs_of(const Experiment& experiment) {
+    auto inputs = nlohmann::ordered_json::array();
+    for (const auto& [name, sum] : experiment.inputs) {
+        auto& entry = inputs.emplace_back(nlohmann::ordered_json{{"file", name}, {"sha256", nullptr}});
+        if (!sum.empty()) entry["sha256"] = sum;
+    }
+    return inputs;
+}
+
 nlohmann::ordered_json to_json(const Manifest& manifest, const Experiment& experiment) {
     nlohmann::ordered_json json{{"backend", manifest.backend},
                                 {"device", manifest.device},
@@ -23,6 +44,7 @@ nlohmann::ordered_json to_json(const Manifest& manifest, const Experiment& exper
                                 {"precision", manifest.precision == Precision::double_ ? "double" : "float"},
                                 {"seed", manifest.seed},
                                 {"iterations", manifest.iterations},
+                                {"time", manifest.time},
                                 {"cells", manifest.cells},
                                 {"columns", manifest.columns},
                                 {"rows", manifest.rows},
@@ -35,6 +57,8 @@ nlohmann::ordered_json to_json(const Manifest& manifest, const Experiment& exper
                                 {"files", manifest.files}};
     for (const auto& [key, text] : manifest.more_texts) json[key] = text;
     for (const auto& [key, number] : manifest.more_numbers) json[key] = number;
+    json["options"] = options_of(manifest);
+    json["inputs"] = inputs_of(experiment);
     auto& phases = json["phases"] = nlohmann::ordered_json::array();
     for (const auto& phase : experiment.phases) phases.push_back(phase.name);
     json["experiment"] = {{"source", experiment.source}, {"text", experiment.text}};

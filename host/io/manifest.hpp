@@ -9,10 +9,17 @@
 #include <cstdint>
 #include <filesystem>
 #include <map>
+#include <optional>
 #include <string>
 #include <vector>
 
 namespace pelage {
+
+struct OptionGiven {  // one option of the command line
+    std::string name;
+    bool flag = false;                 // it has no value
+    std::optional<std::string> value;  // empty: not given
+};
 
 struct Manifest {
     std::string backend;   // "reference" or "opencl"
@@ -21,7 +28,8 @@ struct Manifest {
     std::string platform;  // name
     Precision precision = Precision::single_;
     std::int64_t seed = 1;
-    std::uint64_t iterations = 0;  // carried out by this run
+    std::uint64_t iterations = 0;  // where the run has come to
+    double time = 0.0;             // simulated until then
     std::size_t cells = 0;         // in the end
     std::size_t columns = 0;       // 0 for free cells
     std::size_t rows = 0;
@@ -30,14 +38,16 @@ struct Manifest {
     std::string version;
     std::string build_options;
     bool fast = false;
-    std::vector<std::string> files;  // relative to the manifest's folder
+    std::vector<OptionGiven> options;  // all there are
+    std::vector<std::string> files;    // relative to the manifest's folder
     std::chrono::system_clock::time_point started;
     std::map<std::string, std::string> more_texts;  // further entries, by key
     std::map<std::string, double> more_numbers;     // a NaN or infinity becomes null
 };
 
-// The JSON object, indented: the fields above by name (precision "float" or "double", started as ISO 8601 in UTC),
-// "experiment" {"source", "text"} and "phases" [names]. Text that is not UTF-8 is mended.
+// The JSON object, indented: the fields above by name (precision "float" or "double", started as ISO 8601 in UTC;
+// options by name: a flag true or false, else the value or null), "inputs" [{"file", "sha256" or null}], "experiment"
+// {"source", "text"} and "phases" [names]. Text that is not UTF-8 is mended.
 std::string manifest_text(const Manifest&, const Experiment&);
 
 // Writes it; the file appears whole or not at all. Throws Error naming file and reason.

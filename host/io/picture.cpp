@@ -56,14 +56,20 @@ struct Writer {
     png_infop info = nullptr;
 };
 
-bool write_header(Writer& writer, png_uint_32 columns, png_uint_32 rows, int colour_type) {
+struct Format {
+    int depth;
+    int colour_type;
+};
+
+bool write_header(Writer& writer, png_uint_32 columns, png_uint_32 rows, const Format& format) {
     if (setjmp(png_jmpbuf(writer.png)) != 0) return false;
     png_set_user_limits(writer.png, PNG_UINT_31_MAX, PNG_UINT_31_MAX);
     png_set_write_fn(writer.png, &writer.sink, on_write, on_flush);
     png_set_compression_level(writer.png, 4);  // twice as fast as the default, files a few percent larger
-    png_set_IHDR(writer.png, writer.info, columns, rows, 8, colour_type, PNG_INTERLACE_NONE,
+    png_set_IHDR(writer.png, writer.info, columns, rows, format.depth, format.colour_type, PNG_INTERLACE_NONE,
                  PNG_COMPRESSION_TYPE_DEFAULT, PNG_FILTER_TYPE_DEFAULT);
     png_write_info(writer.png, writer.info);
+    if (format.depth == 16) png_set_swap(writer.png);  // our numbers are little-endian, PNG's are not
     return true;
 }
 
@@ -79,33 +85,40 @@ bool write_end(Writer& writer) {
     return true;
 }
 
-bool write_picture(Writer& writer, const Picture& picture) {
-    const bool colourless = std::all_of(picture.pixels.begin(), picture.pixels.end(),
-                                        [](const Rgb& pixel) { return pixel[0] == pixel[1] && pixel[1] == pixel[2]; });
+template <class Pixel>
+bool write_picture(Writer& writer, const PictureOf<Pixel>& picture) {
+    const Format format{8 * static_cast<int>(sizeof(typename Pixel::value_type)),
+                        std::tuple_size_v<Pixel> == 1 ? PNG_COLOR_TYPE_GRAY : PNG_COLOR_TYPE_RGB};
     if (!write_header(writer, static_cast<png_uint_32>(picture.columns), static_cast<png_uint_32>(picture.rows),
-                      colourless ? PNG_COLOR_TYPE_GRAY : PNG_COLOR_TYPE_RGB)) {
+                      format)) {
         return false;
     }
-    std::vector<png_byte> row(picture.columns);
     for (std::size_t line = 0; line < picture.rows; ++line) {
-        const Rgb* const pixels = &picture.at(0, line);
-        if (colourless)
-            std::transform(pixels, pixels + picture.columns, row.begin(), [](const Rgb& p) { return p[0]; });
-        if (!write_row(writer, colourless ? row.data() : pixels->data())) return false;
+        if (!write_row(writer, reinterpret_cast<png_const_bytep>(&picture.at(0, line)))) return false;
     }
     return write_end(writer);
 }
 
+template <class Pixel>
+void write_file_of(const std::filesystem::path& path, const PictureOf<Pixel>& picture) {
+    Writer writer;
+    if (writer.info == nullptr || picture.pixels.empty() || !write_picture(writer, picture)) {
+        throw Error(fmt::format("cannot write '{}': {} x {} pixels do not make a PNG picture ({})", path.string(),
+                                picture.columns, picture.rows, writer.sink.message.data()));
+    }
+    write_file(path, writer.sink.bytes);
+}
+
 }  // namespace
 
-Picture enlarged(const Picture& picture, std::size_t factor) {
-    Picture result(picture.columns * factor, picture.rows * factor);
-    for (std::size_t line = 0; line < result.rows; ++line) {
-        for (std::size_t column = 0; column < result.columns; ++column) {
-            result.at(column, line) = picture.at(column / factor, line / factor);
-        }
-    }
-    return result;
+DeepPicture deepened(const Picture& picture) {
+    DeepPicture deep(picture.columns, picture.rows);
+    std::transform(picture.pixels.begin(), picture.pixels.end(), deep.pixels.begin(), [](const Rgb& pixel) {
+        DeepRgb result;
+        for (std::size_t i = 0; i < 3; ++i) result[i] = static_cast<std::uint16_t>(pixel[i] * 257);
+        return result;
+    });
+    return deep;
 }
 
 std::size_t enlargement(std::size_t columns, std::size_t rows) {
@@ -114,13 +127,10 @@ std::size_t enlargement(std::size_t columns, std::size_t rows) {
     return std::max<std::size_t>(1, std::min({std::size_t{16}, (399 + shorter) / shorter, 8191 / longer}));
 }
 
-void write_png(const std::filesystem::path& path, const Picture& picture) {
-    Writer writer;
-    if (writer.info == nullptr || picture.pixels.empty() || !write_picture(writer, picture)) {
-        throw Error(fmt::format("cannot write '{}': {} x {} pixels do not make a PNG picture ({})", path.string(),
-                                picture.columns, picture.rows, writer.sink.message.data()));
-    }
-    write_file(path, writer.sink.bytes);
-}
+void write_png(const std::filesystem::path& path, const Picture& picture) { write_file_of(path, picture); }
+
+void write_png(const std::filesystem::path& path, const DeepPicture& picture) { write_file_of(path, picture); }
+
+void write_png(const std::filesystem::path& path, const GreyPicture& picture) { write_file_of(path, picture); }
 
 }  // namespace pelage

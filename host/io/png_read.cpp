@@ -84,8 +84,10 @@ public:
         : channels_(png_get_channels(reader.png, reader.info)),
           bytes_(png_get_bit_depth(reader.png, reader.info) / 8u),
           wanted_(channel.empty() ? 'L' : channel[0]) {
-        if (channel.empty() || channel == "R" || channel == "G" || channel == "B" || channel == "A") return;
-        throw Error(fmt::format("'{}' has no channel '{}'; a PNG picture has R, G, B and A", name, channel));
+        const bool alpha = channels_ % 2 == 0;
+        if (channel.empty() || channel == "R" || channel == "G" || channel == "B" || (alpha && channel == "A")) return;
+        throw Error(
+            fmt::format("'{}' has no channel '{}'; it has R, G, B{}", name, channel, alpha ? " and A" : ", and no A"));
     }
 
     std::size_t pixel_bytes() const { return channels_ * bytes_; }
@@ -94,7 +96,7 @@ public:
         const bool colour = channels_ >= 3;
         switch (wanted_) {
             case 'A':
-                return channels_ % 2 == 0 ? sample(pixel, channels_ - 1) : 1.0;
+                return sample(pixel, channels_ - 1);
             case 'R':
                 return sample(pixel, 0);
             case 'G':

@@ -5,18 +5,23 @@
 #include "core/snapshot.hpp"
 #include "core/tissue.hpp"
 #include "io/attributes.hpp"
+#include "io/colour.hpp"
 #include "io/draw_cells.hpp"
+#include "io/exr.hpp"
 
 #include <cstdint>
 #include <filesystem>
+#include <functional>
+#include <optional>
 #include <string>
 #include <vector>
 
 namespace pelage {
 
 enum class Format {
-    exr,  // STEM.exr: a lattice's concentrations
-    png,  // STEM.png: the first output; STEM.NAME.png: the others, by chemical (STEM.NAME-2.png if that name is taken)
+    exr,  // STEM.exr: a lattice's concentrations, and in Y the first output's chemical, which other programs show
+    png,  // STEM.png: the first output of colours; STEM.NAME.png: the others, by chemical (STEM.NAME-2.png if that name
+          // is taken); STEM.NAME.height.png and STEM.NAME.normal.png: maps of a lattice
     npy,  // STEM.NAME.npy for each chemical: rows x columns, bottom row first, or one dimension for free cells
     csv,  // STEM.csv
     vtk   // STEM.vti for a lattice, STEM.vtp for free cells
@@ -28,14 +33,21 @@ std::vector<Format> parse_formats(const std::string& list);
 struct ResultOptions {
     std::vector<Format> formats{Format::exr, Format::png};
     Precision precision = Precision::single_;  // numbers in .npy, .vti and .vtp
-    Attributes attributes;                     // for EXR headers; "iteration" is added
+    Attributes attributes;                     // for EXR headers; "iteration" and "time" are added
     CellDrawing drawing;                       // of free cells
+    ExrType exr_type = ExrType::float_;
+    bool deep_png = false;  // 16 bits a channel; the colours of free cells are still those of 8
+    // The range in which each output draws where it has none of its own; shorter, or empty: that of its values.
+    std::vector<std::optional<ValueRange>> ranges;
+    bool ranged_only = false;  // of the pictures, only those of outputs that are given a range here
+    std::function<void(const std::vector<std::string>&)> before;  // told all names before anything is written
+    std::function<void(const std::string&)> begins;               // told a name when its file is begun; one at a time
 };
 
-// Writes STEM.* into the folder, which is made when it is not there. With Experiment::texture also texture.exr and
-// texture.png (STEM.texture.* unless the stem is "final") for the formats exr and png. Returns the names of the files,
-// relative to the folder. Throws Error naming the file that cannot be written, or when the snapshot's arrays do not fit
-// the experiment.
+// Writes STEM.* into the folder, which is made when it is not there; large files at the same time. With
+// Experiment::texture also texture.exr, texture.png and the maps (STEM.texture.* unless the stem is "final") for the
+// formats exr and png. Returns the names of the files, relative to the folder. Throws Error naming the file that cannot
+// be written, or when the snapshot's arrays do not fit the experiment.
 std::vector<std::string> write_results(const std::filesystem::path& folder, const std::string& stem, const Snapshot&,
                                        const Experiment&, const ResultOptions&);
 

@@ -1,6 +1,7 @@
 // See shape.hpp.
 #include "io/shape.hpp"
 
+#include "core/counted.hpp"
 #include "core/error.hpp"
 
 #include <fmt/format.h>
@@ -11,12 +12,13 @@ namespace pelage {
 void check_shape(const Snapshot& snapshot, const Experiment& experiment) {
     const auto check = [&](std::size_t length, const std::string& what) {
         if (length == snapshot.cells()) return;
-        throw Error(fmt::format("the snapshot has {} cells, but {} for {} of them", snapshot.cells(), what, length));
+        throw Error(
+            fmt::format("the snapshot has {}, but {} for {} of them", counted(snapshot.cells(), "cell"), what, length));
     };
     const auto chemicals = experiment.chemicals.size();
     if (snapshot.conc.size() != chemicals || snapshot.diff.size() != chemicals) {
-        throw Error(fmt::format("the snapshot has {} chemicals and rates of {}; the experiment defines {}",
-                                snapshot.conc.size(), snapshot.diff.size(), chemicals));
+        throw Error(fmt::format("the snapshot has {} and rates of {}; the experiment defines {}",
+                                counted(snapshot.conc.size(), "chemical"), snapshot.diff.size(), chemicals));
     }
     if (snapshot.lattice()) check(snapshot.columns * snapshot.rows, "its lattice has places");
     for (std::size_t i = 0; i < chemicals; ++i) {

@@ -1,6 +1,7 @@
 // See texture.hpp.
 #include "io/texture.hpp"
 
+#include "core/counted.hpp"
 #include "core/error.hpp"
 #include "core/space.hpp"
 #include "core/visit.hpp"
@@ -154,11 +155,12 @@ private:
 void check(const Snapshot& cells, const std::vector<std::vector<double>>& values, std::size_t columns,
            std::size_t rows) {
     if (cells.cells() == 0 || columns == 0 || rows == 0 || columns > largest_cell_count / rows) {
-        throw Error(fmt::format("{} cells do not make a texture of {} x {}", cells.cells(), columns, rows));
+        throw Error(fmt::format("{} cannot make a texture of {} x {}", counted(cells.cells(), "cell"), columns, rows));
     }
     for (const auto& one : values) {
         if (one.size() != cells.cells())
-            throw Error(fmt::format("{} values do not fit {} cells", one.size(), cells.cells()));
+            throw Error(
+                fmt::format("there are {} for {}", counted(one.size(), "value"), counted(cells.cells(), "cell")));
     }
     for (std::size_t i = 0; i < cells.cells(); ++i) {
         if (!std::isfinite(cells.x[i]) || !std::isfinite(cells.y[i])) {
@@ -197,6 +199,12 @@ std::vector<Field> interpolate(const Snapshot& cells, const std::vector<std::vec
         }
     }
     return result;
+}
+
+std::array<double, 2> texel_size(const Snapshot& cells, std::size_t columns, std::size_t rows) {
+    const auto window =
+        cells.lattice() ? lattice_window(cells, columns, rows, false) : cells_window(cells, columns, rows);
+    return {window.width, window.height};
 }
 
 bool wraps(const Experiment& experiment) {

@@ -4,6 +4,7 @@
 #include "core/experiment.hpp"
 #include "core/snapshot.hpp"
 
+#include <array>
 #include <cstddef>
 #include <vector>
 
@@ -19,6 +20,9 @@ namespace pelage {
 // there are no cells or no texels.
 std::vector<Field> interpolate(const Snapshot&, const std::vector<std::vector<double>>& values, std::size_t columns,
                                std::size_t rows, bool wrap);
+
+// Width and height of a texel of such a texture, in units of cell radius.
+std::array<double, 2> texel_size(const Snapshot&, std::size_t columns, std::size_t rows);
 
 // True when the experiment's lattice is a torus.
 bool wraps(const Experiment&);

@@ -14,10 +14,10 @@ void write_vti(const std::filesystem::path& path, const Snapshot& snapshot, cons
     check_shape(snapshot, experiment);
     AtomicFile file(path);
     const auto extent = fmt::format("0 {} 0 {} 0 0", snapshot.columns, snapshot.rows);
-    open_vtk(file, "ImageData", snapshot.iteration,
-             fmt::format(R"(WholeExtent="{}" Origin="{} {} 0" Spacing="2 2 2")", extent,
-                         snapshot.origin_x - static_cast<double>(snapshot.columns),
-                         snapshot.origin_y - static_cast<double>(snapshot.rows)));
+    open_vtk(file, "ImageData", experiment.time_at(snapshot.iteration), snapshot.iteration,
+             fmt::format(R"(WholeExtent="{}" Origin="{} {} 0" Spacing="1 1 1")", extent,
+                         (snapshot.origin_x - static_cast<double>(snapshot.columns)) / 2,
+                         (snapshot.origin_y - static_cast<double>(snapshot.rows)) / 2));
     const auto& first = experiment.chemicals.empty() ? "" : experiment.chemicals[0].name;
     file.write(fmt::format("<Piece Extent=\"{}\">\n<CellData Scalars=\"{}\">\n", extent, xml_escaped(first)));
     for (std::size_t i = 0; i < experiment.chemicals.size(); ++i) {

@@ -1,6 +1,8 @@
 // See vtk_xml.hpp.
 #include "io/vtk_xml.hpp"
 
+#include "io/utf8.hpp"
+
 #include <fmt/format.h>
 
 namespace pelage {
@@ -13,7 +15,7 @@ constexpr std::size_t letters_at_once = 1 << 18;
 
 std::string xml_escaped(std::string_view text) {
     std::string result;
-    for (const char c : text) {
+    for (const char c : valid_utf8(text)) {
         switch (c) {
             case '&':
                 result += "&amp;";
@@ -67,14 +69,16 @@ void open_array(AtomicFile& file, std::string_view type, std::string_view name, 
 
 void close_array(AtomicFile& file) { file.write("\n</DataArray>\n"); }
 
-void open_vtk(AtomicFile& file, std::string_view type, std::uint64_t iteration, std::string_view attributes) {
-    file.write(
-        fmt::format("<?xml version=\"1.0\"?>\n"
-                    "<VTKFile type=\"{0}\" version=\"1.0\" byte_order=\"LittleEndian\" header_type=\"UInt64\">\n"
-                    "<{0}{1}{2}>\n"
-                    "<FieldData>\n<DataArray type=\"Float64\" Name=\"TimeValue\" NumberOfTuples=\"1\" format=\"ascii\">"
-                    "{3}</DataArray>\n</FieldData>\n",
-                    type, attributes.empty() ? "" : " ", attributes, iteration));
+void open_vtk(AtomicFile& file, std::string_view type, double time, std::uint64_t iteration,
+              std::string_view attributes) {
+    file.write(fmt::format(
+        "<?xml version=\"1.0\"?>\n"
+        "<VTKFile type=\"{0}\" version=\"1.0\" byte_order=\"LittleEndian\" header_type=\"UInt64\">\n"
+        "<{0}{1}{2}>\n<FieldData>\n"
+        "<DataArray type=\"Float64\" Name=\"TimeValue\" NumberOfTuples=\"1\" format=\"ascii\">{3}</DataArray>\n"
+        "<DataArray type=\"Int64\" Name=\"iteration\" NumberOfTuples=\"1\" format=\"ascii\">{4}</DataArray>\n"
+        "</FieldData>\n",
+        type, attributes.empty() ? "" : " ", attributes, time, iteration));
 }
 
 void close_vtk(AtomicFile& file, std::string_view type) { file.write(fmt::format("</{}>\n</VTKFile>\n", type)); }

@@ -74,8 +74,9 @@ void write_array(AtomicFile& file, std::string_view name, std::size_t components
     close_array(file);
 }
 
-// The file's first and last lines, and the iteration as its time.
-void open_vtk(AtomicFile&, std::string_view type, std::uint64_t iteration, std::string_view attributes = "");
+// The file's first and last lines; "TimeValue" is the simulated time, "iteration" a field beside it.
+void open_vtk(AtomicFile&, std::string_view type, double time, std::uint64_t iteration,
+              std::string_view attributes = "");
 void close_vtk(AtomicFile&, std::string_view type);
 
 }  // namespace pelage

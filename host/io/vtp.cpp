@@ -33,7 +33,7 @@ void write_piece(AtomicFile& file, const Snapshot& cells, const Experiment& expe
     const auto first = experiment.chemicals.empty() ? "" : "conc " + experiment.chemicals[0].name;
     file.write(fmt::format("</Verts>\n<PointData Scalars=\"{}\" Vectors=\"polarity\">\n", xml_escaped(first)));
     write_array<std::int64_t>(file, "id", 1, cells.cells(), identity);
-    write_values<std::int32_t>(file, "birth", cells.birth);
+    write_values<std::int64_t>(file, "birth", cells.birth);
     write_values<std::int32_t>(file, "neighbours", cells.neighbours);
     write_values<std::uint8_t>(file, "fixed", cells.fixed);
     write_vectors<T>(file, "polarity", cells.polarity_x, cells.polarity_y);
@@ -50,7 +50,7 @@ void write_vtp(const std::filesystem::path& path, const Snapshot& snapshot, cons
                Precision precision) {
     check_shape(snapshot, experiment);
     AtomicFile file(path);
-    open_vtk(file, "PolyData", snapshot.iteration);
+    open_vtk(file, "PolyData", experiment.time_at(snapshot.iteration), snapshot.iteration);
     file.write(
         fmt::format("<Piece NumberOfPoints=\"{0}\" NumberOfVerts=\"{0}\" NumberOfLines=\"0\" NumberOfStrips=\"0\" "
                     "NumberOfPolys=\"0\">\n",

@@ -105,7 +105,8 @@ Action parse_map(Script& script, Cursor& cursor) {
     map.from_low = cursor.number("the interval's low end");
     const Token& high = cursor.peek();
     map.from_high = cursor.number("the interval's high end");
-    if (map.from_low == map.from_high) cursor.fail(high, "the interval is empty; 'map' needs two different ends");
+    if (static_cast<float>(map.from_low) == static_cast<float>(map.from_high))
+        cursor.fail(high, "the interval is empty; 'map' needs two different ends");
     cursor.expect("to");
     map.mapping = parse_mapping(script, cursor);
     map.to_low = cursor.number("the mapping's low value");

@@ -1,5 +1,6 @@
 // create cell | sqr_grid | sqr_circle | hex_grid | hex_circle | shape | matrix
 #include "core/prepattern.hpp"
+#include "io/sha256.hpp"
 #include "language/shape.hpp"
 #include "language/statements.hpp"
 
@@ -90,7 +91,10 @@ void create_shape(Script& script, Cursor& cursor, const Token& at) {
     const Placement place = parse_placement(cursor, words);
     CreateShape shape;
     try {
-        shape.lines = read_shape(script.resolve(file.text));
+        const auto path = script.resolve(file.text);
+        const std::string bytes = read_shape_text(path);
+        shape.lines = shape_lines(bytes, path);
+        script.experiment.inputs.push_back({std::string(file.text), sha256(bytes)});
     } catch (const Error& error) {
         cursor.fail(file, error.what());
     }

@@ -107,6 +107,9 @@ double Cursor::number(std::string_view what, Range range) {
     if (*value < range.low || *value > range.high || (range.above && *value == range.low)) {
         needs(peek(), "is out of range", what, kind);
     }
+    if (range.above && static_cast<double>(static_cast<float>(*value)) <= range.low) {
+        needs(peek(), fmt::format("is {} in float", range.low), what, kind);
+    }
     next();
     return *value;
 }

@@ -27,7 +27,7 @@ struct Place {  // both from 1
 
 Error error_at(std::string_view source, Place, std::string_view text);
 
-// Allowed values of a number: low <= value <= high, or low < value when `above`.
+// Allowed values of a number: low <= value <= high, or low < value, in float too, when `above`.
 struct Range {
     double low = -std::numeric_limits<double>::infinity();
     double high = std::numeric_limits<double>::infinity();

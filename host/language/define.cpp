@@ -1,5 +1,7 @@
 // define chemical | division_limit | domain | time_step | stencil
 #include "io/field.hpp"
+#include "io/file_bytes.hpp"
+#include "io/sha256.hpp"
 #include "language/statements.hpp"
 
 #include <fmt/format.h>
@@ -72,16 +74,28 @@ void check_bounds(const Cursor& cursor, const Token& name, const Bounds& bounds)
     cursor.fail(name, fmt::format("the floor {} of '{}' is above its limit {}", bounds.floor, name.text, bounds.limit));
 }
 
-std::shared_ptr<const Field> load(const Script& script, const Cursor& cursor, const PictureOptions& picture) {
+std::shared_ptr<const Field> scaled(Field field, double low, double high) {
+    if (low != 0.0 || high != 1.0) {
+        for (double& value : field.values) value = low + value * (high - low);
+    }
+    return std::make_shared<const Field>(std::move(field));
+}
+
+void load_picture(Script& script, const Cursor& cursor, const PictureOptions& picture, Chemical& chemical) {
+    const std::string name(picture.file->text);
+    if (script.pictures() == StartPictures::left_out) {
+        script.experiment.inputs.push_back({name, {}});
+        return;
+    }
     try {
-        auto field = read_field(script.resolve(picture.file->text), picture.channel);
-        if (picture.low == 0.0 && picture.high == 1.0) return field;
-        auto scaled = std::make_shared<Field>(*field);
-        for (double& value : scaled->values) value = picture.low + value * (picture.high - picture.low);
-        return scaled;
+        const std::string path = script.resolve(name).string();
+        const std::string bytes = read_file(path);
+        chemical.initial = scaled(parse_field(bytes, picture.channel, path), picture.low, picture.high);
+        script.experiment.inputs.push_back({name, sha256(bytes)});
     } catch (const Error& error) {
         cursor.fail(*picture.file, error.what());
     }
+    script.shows_picture(cursor, *picture.file);
 }
 
 // Inside a phase: new bounds for a chemical that exists.
@@ -112,10 +126,7 @@ void parse_chemical(Script& script, Cursor& cursor) {
     check_bounds(cursor, name, options.bounds);
     chemical.bounds = options.bounds;
     chemical.anisotropic = options.anisotropic;
-    if (options.picture.file != nullptr) {
-        chemical.initial = load(script, cursor, options.picture);
-        script.shows_picture(cursor, *options.picture.file);
-    }
+    if (options.picture.file != nullptr) load_picture(script, cursor, options.picture, chemical);
     script.phase().bounds.push_back(chemical.bounds);
     chemicals.push_back(std::move(chemical));
 }
@@ -141,6 +152,16 @@ void parse_stencil(Script& script, Cursor& cursor, const Token& word) {
     script.needs_matrix(cursor, word);
 }
 
+void parse_time_step(Script& script, Cursor& cursor) {
+    const Token& token = cursor.peek();
+    const double step = cursor.number("the time step", positive);
+    if (step < smallest_time_step) {
+        cursor.fail(token, fmt::format("'{}' is 0 in float; the time step must be at least {:.3g}", token.text,
+                                       smallest_time_step));
+    }
+    script.phase().time_step = step;
+}
+
 }  // namespace
 
 void parse_define(Script& script, Cursor& cursor) {
@@ -153,8 +174,7 @@ void parse_define(Script& script, Cursor& cursor) {
         case 0:
             return parse_chemical(script, cursor);
         case 1:
-            script.phase().time_step = cursor.number("the time step", positive);
-            return;
+            return parse_time_step(script, cursor);
         case 2:
             script.experiment.division_limit = cursor.integer("the division limit", 0, largest_cell_count);
             return;

@@ -36,7 +36,9 @@ Experiment Script::finish() {
     check_contents();
     check_arrangement();
     check_pictures();
+    check_maps();
     check_growth();
+    check_starts();
     finish_outputs();
     validate(experiment);
     return std::move(experiment);
@@ -78,6 +80,12 @@ void Script::check_pictures() const {
     }
 }
 
+void Script::check_maps() const {
+    if (!draws_map_ || experiment.texture || std::holds_alternative<Lattice>(space_of(experiment))) return;
+    throw error_at(experiment.source, draws_map_->place,
+                   "free cells make no height or normal map by themselves; add 'texture size WIDTH HEIGHT'");
+}
+
 void Script::check_growth() const {
     if (expansions_.empty()) return;
     const auto matrix = std::get<Lattice>(space_of(experiment));
@@ -99,6 +107,21 @@ void Script::check_growth() const {
     }
 }
 
+Place Script::place_of(const StartFault& fault) const {
+    if (fault.statement) {
+        const StartPlace& place = starts_[*fault.statement];
+        return fault.rate ? place.diff : place.conc;
+    }
+    const auto of_chemical = [&](const Picture& picture) { return picture.chemical == fault.picture; };
+    return std::ranges::find_if(pictures_, of_chemical)->place;
+}
+
+void Script::check_starts() const {
+    for (const StartFault& fault : start_faults(experiment)) {
+        if (fault.refused) throw error_at(experiment.source, place_of(fault), fault.text);
+    }
+}
+
 Colormap Script::colormap(const ColormapChoice& choice) const {
     Colormap map{choice.name, choice.stops};
     if (choice.name != "striped" && choice.name != "gradient") return map;
@@ -114,7 +137,9 @@ void Script::finish_outputs() {
         pending.output.colormap = colormap(pending.colormap.value_or(selected));
         experiment.outputs.push_back(pending.output);
     }
-    if (experiment.outputs.empty()) experiment.outputs.push_back({0, colormap(selected), std::nullopt});
+    const auto& all = experiment.outputs;
+    if (std::any_of(all.begin(), all.end(), [](const Output& one) { return one.drawing == Drawing::colours; })) return;
+    experiment.outputs.insert(experiment.outputs.begin(), Output{0, colormap(selected), std::nullopt});
 }
 
 }  // namespace pelage::language

@@ -2,6 +2,7 @@
 #include "core/counted.hpp"
 #include "core/prepattern.hpp"
 #include "core/space.hpp"
+#include "core/starts.hpp"
 #include "language/lints.hpp"
 
 #include <fmt/format.h>
@@ -95,6 +96,13 @@ void find_cells_outside(const Sheet& sheet, Reporter& report) {
         report(sheet.place(sheet.outline.prepattern[i]),
                fmt::format("{} outside the domain of {:.6g} x {:.6g} around (0, 0)",
                            counted(outside, "cell lies", "cells lie"), 2 * half[0], 2 * half[1]));
+    }
+}
+
+void find_odd_starts(const Sheet& sheet, Reporter& report) {
+    for (const StartFault& fault : start_faults(sheet.experiment)) {
+        if (fault.refused || !fault.statement) continue;
+        report(sheet.place(sheet.outline.prepattern[*fault.statement], fault.rate ? "diff" : "conc"), fault.text);
     }
 }
 

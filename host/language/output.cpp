@@ -76,27 +76,76 @@ void parse_colormap(Script& script, Cursor& cursor) {
         parse_slot(script, cursor);
 }
 
-void parse_output(Script& script, Cursor& cursor) {
-    static constexpr std::array<std::string_view, 2> words{"range", "colormap"};
-    const Token& name = cursor.peek();
+namespace {
+
+constexpr std::array<std::string_view, 4> output_words{"range", "colormap", "height", "normal"};
+
+void parse_range(Cursor& cursor, Output& output) {
+    if (cursor.take("each")) {
+        output.own_range = true;
+        return;
+    }
+    const double low = cursor.number("the lowest value (or the word 'each')");
+    const Token& token = cursor.peek();
+    const double high = cursor.number("the highest value");
+    if (high <= low) cursor.fail(token, fmt::format("'{}' is not above the lowest value {}", token.text, low));
+    output.range = {low, high};
+}
+
+// An option that the kind of picture has no use for.
+void check_option(const Cursor& cursor, const Token& option, const Output& output) {
+    const bool normal = output.drawing == Drawing::normal;
+    if (option.text == "colormap" && output.drawing != Drawing::colours)
+        cursor.fail(option, fmt::format("a {} map has no colormap", normal ? "normal" : "height"));
+    if (option.text == "range" && normal) cursor.fail(option, "a normal map has no range; its slopes have a strength");
+}
+
+PendingOutput parse_output_options(Script& script, Cursor& cursor) {
     PendingOutput pending;
-    pending.output.chemical = script.chemical(cursor);
-    for (std::size_t i = 1; i < script.outputs.size(); ++i) {
-        if (script.outputs[i].output.chemical != pending.output.chemical) continue;
-        cursor.fail(name, fmt::format("the picture final.{}.png is already described", name.text));
-    }
-    Options options(words);
-    while (const auto option = options.next(cursor)) {
-        if (*option == 1) {
-            pending.colormap = parse_colormap_choice(cursor, true);
-            continue;
-        }
-        const double low = cursor.number("the lowest value");
+    Output& output = pending.output;
+    output.chemical = script.chemical(cursor);
+    std::vector<const Token*> given;
+    Options options(output_words);
+    while (true) {
         const Token& token = cursor.peek();
-        const double high = cursor.number("the highest value");
-        if (high <= low) cursor.fail(token, fmt::format("'{}' is not above the lowest value {}", token.text, low));
-        pending.output.range = {low, high};
+        const auto option = options.next(cursor);
+        if (!option) break;
+        if (*option >= 2 && output.drawing != Drawing::colours)
+            cursor.fail(token, "a picture is a height map or a normal map; write another 'output' for the other");
+        given.push_back(&token);
+        if (*option == 0) parse_range(cursor, output);
+        if (*option == 1) pending.colormap = parse_colormap_choice(cursor, true);
+        if (*option == 2) output.drawing = Drawing::height;
+        if (*option == 3) {
+            output.drawing = Drawing::normal;
+            output.strength = cursor.number("the height of one unit, in cells");
+        }
     }
+    for (const Token* token : given) check_option(cursor, *token, output);
+    return pending;
+}
+
+// Each picture's name is that of its chemical and kind; the first one of colours has none.
+void check_new(const Script& script, const Cursor& cursor, const Token& name, const Output& output) {
+    bool first = output.drawing == Drawing::colours;
+    for (const PendingOutput& earlier : script.outputs) {
+        if (earlier.output.drawing != output.drawing) continue;
+        if (!first && earlier.output.chemical == output.chemical) {
+            const std::array<std::string_view, 3> kinds{"", ".height", ".normal"};
+            cursor.fail(name, fmt::format("the picture final.{}{}.png is already described", name.text,
+                                          kinds[static_cast<std::size_t>(output.drawing)]));
+        }
+        first = false;
+    }
+}
+
+}  // namespace
+
+void parse_output(Script& script, Cursor& cursor) {
+    const Token& name = cursor.peek();
+    PendingOutput pending = parse_output_options(script, cursor);
+    check_new(script, cursor, name, pending.output);
+    if (pending.output.drawing != Drawing::colours) script.draws_map(cursor, name);
     script.outputs.push_back(std::move(pending));
 }
 

@@ -71,9 +71,9 @@ std::string read_text(const std::filesystem::path& path) {
 }  // namespace
 
 Experiment parse_experiment(const std::string& text, const std::string& source_name,
-                            const std::filesystem::path& folder, Outline* outline) {
+                            const std::filesystem::path& folder, Outline* outline, StartPictures pictures) {
     check_size(source_name, text.size());
-    Script script(text, source_name, folder);
+    Script script(text, source_name, folder, pictures);
     std::string_view rest = text;
     if (rest.starts_with("\xef\xbb\xbf")) rest.remove_prefix(3);  // byte order mark of UTF-8
     for (std::size_t number = 1; !rest.empty(); ++number) {
@@ -86,8 +86,8 @@ Experiment parse_experiment(const std::string& text, const std::string& source_n
     return script.finish();
 }
 
-Experiment parse_experiment_file(const std::filesystem::path& path, Outline* outline) {
-    return parse_experiment(read_text(path), path.string(), path.parent_path(), outline);
+Experiment parse_experiment_file(const std::filesystem::path& path, Outline* outline, StartPictures pictures) {
+    return parse_experiment(read_text(path), path.string(), path.parent_path(), outline, pictures);
 }
 
 }  // namespace pelage

@@ -16,13 +16,17 @@ inline constexpr std::size_t largest_snapshot_count = 1'000'000;  // of one run
 inline constexpr std::size_t largest_phase_count = 10'000;
 inline constexpr std::size_t largest_mapping_count = 64;  // each costs a number a cell
 
+// left_out: they are not opened, for a run that goes on from a later state; chemicals have no Chemical::initial then.
+enum class StartPictures { read, left_out };
+
 // Parses and validates. `source_name` stands in messages; names of pictures and shapes that are not absolute are
 // looked for in `folder`. Throws Error "SOURCE:LINE:COLUMN: what was found; what is allowed", columns counted in
 // characters from 1. `outline` is told where everything stands; lint.hpp makes warnings of it.
 Experiment parse_experiment(const std::string& text, const std::string& source_name,
-                            const std::filesystem::path& folder, Outline* outline = nullptr);
+                            const std::filesystem::path& folder, Outline* outline = nullptr,
+                            StartPictures = StartPictures::read);
 
 // The same from a file; pictures and shapes are looked for beside it.
-Experiment parse_experiment_file(const std::filesystem::path&, Outline* = nullptr);
+Experiment parse_experiment_file(const std::filesystem::path&, Outline* = nullptr, StartPictures = StartPictures::read);
 
 }  // namespace pelage

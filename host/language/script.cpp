@@ -1,8 +1,6 @@
 // See script.hpp.
 #include "language/script.hpp"
 
-#include "language/parse.hpp"
-
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -26,8 +24,8 @@ std::optional<std::size_t> find(const std::vector<Named>& all, std::string_view 
 
 }  // namespace
 
-Script::Script(const std::string& text, const std::string& source, std::filesystem::path folder)
-    : folder_(std::move(folder)) {
+Script::Script(const std::string& text, const std::string& source, std::filesystem::path folder, StartPictures pictures)
+    : folder_(std::move(folder)), start_pictures_(pictures) {
     experiment.text = text;
     experiment.source = source;
 }
@@ -73,7 +71,12 @@ void Script::create(const Cursor& cursor, const Token& at, const Statement& stat
     }
     matrix_ = matrix_ || matrix;
     cells_ += cells;
-    experiment.prepattern.emplace_back(statement);
+    start(statement, cursor.place(at));
+}
+
+void Script::start(Statement statement, const StartPlace& place) {
+    experiment.prepattern.push_back(std::move(statement));
+    starts_.push_back(place);
 }
 
 void Script::begin_phase(std::string name, std::uint64_t steps) {
@@ -110,6 +113,8 @@ void Script::expands(const Cursor& cursor, const Token& at) {
 void Script::shows_picture(const Cursor& cursor, const Token& file) {
     pictures_.push_back({experiment.chemicals.size(), cursor.place(file)});
 }
+
+void Script::draws_map(const Cursor& cursor, const Token& at) { note_first(draws_map_, cursor, at); }
 
 void Script::refuses_matrix(const Cursor& cursor, const Token& at) { note_first(refuses_matrix_, cursor, at); }
 

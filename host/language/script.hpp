@@ -2,7 +2,9 @@
 #pragma once
 
 #include "core/experiment.hpp"
+#include "core/starts.hpp"
 #include "language/cursor.hpp"
+#include "language/parse.hpp"
 
 #include <array>
 #include <cstddef>
@@ -38,9 +40,16 @@ struct Picture {  // the initial state of a chemical
     Place place;
 };
 
+struct StartPlace {  // of the values a statement gives
+    StartPlace(Place both) : conc(both), diff(both) {}
+    StartPlace(Place of_conc, Place of_diff) : conc(of_conc), diff(of_diff) {}
+    Place conc;
+    Place diff;
+};
+
 class Script {
 public:
-    Script(const std::string& text, const std::string& source, std::filesystem::path folder);
+    Script(const std::string& text, const std::string& source, std::filesystem::path folder, StartPictures);
 
     Experiment experiment;
 
@@ -52,11 +61,15 @@ public:
     std::vector<std::string_view> chemical_names() const;
 
     std::filesystem::path resolve(std::string_view file_name) const;
+    StartPictures pictures() const { return start_pictures_; }
 
     // ---- cells
     std::size_t cells() const { return cells_; }
     // Takes note of a `create`; `at` is its kind. Throws Error for too many cells or a mixture with a matrix.
     void create(const Cursor&, const Token& at, const Statement&, std::size_t cells);
+
+    // ---- how the tissue starts
+    void start(Statement, const StartPlace&);  // takes it into the prepattern
 
     // ---- phases
     bool in_phase() const { return !experiment.phases.empty(); }
@@ -79,6 +92,7 @@ public:
     void needs_lattice(const Cursor&, const Token& at);
     void expands(const Cursor&, const Token& at);          // once for each `expand`, in order
     void shows_picture(const Cursor&, const Token& file);  // of the chemical defined next
+    void draws_map(const Cursor&, const Token& at);        // a height or normal map
     void at_line(std::size_t line) { line_ = line; }
 
     // Defaults, what only the whole file can show, and validate().
@@ -89,10 +103,14 @@ private:
     void check_contents() const;
     void check_arrangement() const;
     void check_pictures() const;
+    void check_starts() const;
+    Place place_of(const StartFault&) const;
+    void check_maps() const;
     void check_growth() const;
     void finish_outputs();
 
     std::filesystem::path folder_;
+    StartPictures start_pictures_;
     std::size_t cells_ = 0;
     Phase before_;
     std::uint64_t phase_end_ = forever;
@@ -102,6 +120,8 @@ private:
     std::optional<Demand> needs_lattice_;
     std::vector<Place> expansions_;
     std::vector<Picture> pictures_;
+    std::vector<StartPlace> starts_;  // of each statement of the prepattern
+    std::optional<Demand> draws_map_;
     std::size_t line_ = 0;  // the last one
 };
 

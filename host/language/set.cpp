@@ -19,13 +19,13 @@ void set_chemical(Script& script, Cursor& cursor, SetCells cells) {
     static constexpr std::array<std::string_view, 2> words{"conc", "diff"};
     const std::size_t chemical = script.chemical(cursor);
     Options options(words);
-    auto& statements = script.experiment.prepattern;
     while (const auto option = options.next_if(cursor)) {
+        const Token& value = cursor.peek();
         if (*option == 0)
             cells.what = SetConcentration{chemical, parse_spread(cursor, "the concentration")};
         else
             cells.what = SetRate{chemical, parse_spread(cursor, "the diffusion rate")};
-        statements.emplace_back(cells);
+        script.start(cells, cursor.place(value));
     }
     if (!options.given(0) && !options.given(1)) cursor.unknown(cursor.peek(), words);
 }
@@ -59,7 +59,7 @@ void parse_set(Script& script, Cursor& cursor) {
             cells.what = SetPolarity{parse_degrees(cursor)};
         else
             cells.what = SetFixed{};
-        script.experiment.prepattern.emplace_back(cells);
+        script.start(cells, cursor.place(range));
     }
 }
 

@@ -2,11 +2,12 @@
 #include "language/shape.hpp"
 
 #include "core/error.hpp"
+#include "io/file_bytes.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <fstream>
+#include <sstream>
 
 namespace pelage::language {
 
@@ -16,23 +17,30 @@ bool letter(char c) { return (c >= 'A' && c <= 'Z') || (c >= 'a' && c <= 'z'); }
 
 }  // namespace
 
-std::vector<std::string> read_shape(const std::filesystem::path& path) {
+std::string read_shape_text(const std::filesystem::path& path) {
     std::error_code error;
     const std::string name = path.string();
     if (!std::filesystem::is_regular_file(path, error)) throw Error(fmt::format("shape '{}' is not a file", name));
     if (std::filesystem::file_size(path, error) > largest_shape) {
         throw Error(fmt::format("shape '{}' is longer than the {} bytes allowed", name, largest_shape));
     }
-    std::ifstream file(path, std::ios::binary);
-    if (!file) throw Error(fmt::format("shape '{}' cannot be opened", name));
+    return read_file(path);
+}
+
+std::vector<std::string> shape_lines(const std::string& text, const std::filesystem::path& path) {
+    std::istringstream stream(text);
     std::vector<std::string> lines;
-    for (std::string line; std::getline(file, line);) {
+    for (std::string line; std::getline(stream, line);) {
         if (line.ends_with('\r')) line.pop_back();
         lines.push_back(line);
     }
-    if (file.bad()) throw Error(fmt::format("shape '{}' cannot be read", name));
-    if (count_letters(lines) == 0) throw Error(fmt::format("shape '{}' has no letter; each letter is a cell", name));
+    if (count_letters(lines) == 0)
+        throw Error(fmt::format("shape '{}' has no letter; each letter is a cell", path.string()));
     return lines;
+}
+
+std::vector<std::string> read_shape(const std::filesystem::path& path) {
+    return shape_lines(read_shape_text(path), path);
 }
 
 std::size_t count_letters(const std::vector<std::string>& lines) {

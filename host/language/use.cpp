@@ -37,22 +37,27 @@ std::size_t used_chemical(const Script& script, Cursor& cursor) {
 void parse_phase_rate(Script& script, Cursor& cursor) {
     const std::size_t chemical = used_chemical(script, cursor);
     cursor.expect("diff");
-    script.phase().rates[chemical] = cursor.number("the diffusion rate");
+    script.phase().rates[chemical] = cursor.number("the diffusion rate", not_negative);
 }
 
 void use_chemical(Script& script, Cursor& cursor) {
     static constexpr std::array<std::string_view, 2> words{"conc", "diff"};
     if (script.in_phase()) return parse_phase_rate(script, cursor);
+    const Token& name = cursor.peek();
+    const std::size_t chemical = used_chemical(script, cursor);
     UseChemical use;
-    use.chemical = used_chemical(script, cursor);
+    use.chemical = chemical;
     Options options(words);
+    const Token* conc = &name;
+    const Token* diff = &name;
     while (const auto option = options.next(cursor)) {
+        (*option == 0 ? conc : diff) = &cursor.peek();
         if (*option == 0)
             use.conc = parse_spread(cursor, "the concentration");
         else
             use.diff = parse_spread(cursor, "the diffusion rate");
     }
-    script.experiment.prepattern.emplace_back(use);
+    script.start(use, {cursor.place(*conc), cursor.place(*diff)});
 }
 
 }  // namespace
@@ -64,9 +69,9 @@ void parse_use(Script& script, Cursor& cursor) {
     if (what == 0) return use_chemical(script, cursor);
     script.outside_phases(cursor, word, fmt::format("use {}", word.text));
     if (what == 1)
-        script.experiment.prepattern.emplace_back(UsePolarity{parse_degrees(cursor)});
+        script.start(UsePolarity{parse_degrees(cursor)}, cursor.place(word));
     else
-        script.experiment.prepattern.emplace_back(UseSeed{cursor.signed_integer("the seed")});
+        script.start(UseSeed{cursor.signed_integer("the seed")}, cursor.place(word));
 }
 
 }  // namespace pelage::language

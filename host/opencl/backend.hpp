@@ -36,8 +36,8 @@ struct OpenclOptions {
     std::optional<std::string> device;  // index, type or part of the name; see choose_device
     Precision precision = Precision::single_;
     bool use_cache = true;  // compiled programs kept on disk
-    // Kept by us even where the driver keeps them itself, as PoCL does: asking PoCL for a binary makes it compile every
-    // kernel once more.
+    // By way of OpenCL's binaries from PoCL, too: being asked for one, it compiles every kernel once more, so that
+    // otherwise the files that it writes are kept.
     bool cache_twice = false;
     // Lets the compiler contract and reorder floating-point arithmetic: faster on some devices, and equality with
     // the reference, even from run to run of another build, is given up.

@@ -1,11 +1,11 @@
 // See cache.hpp. A file holds: magic, length of key, length of binary, checksum of both, key, binary.
 #include "opencl/cache.hpp"
 
+#include "core/error.hpp"
+#include "io/atomic_file.hpp"
+
 #include <fmt/format.h>
 
-#include <unistd.h>
-
-#include <atomic>
 #include <cstdint>
 #include <cstdlib>
 #include <fstream>
@@ -82,27 +82,14 @@ std::optional<Binary> load_cached(const std::filesystem::path& folder, const Cac
 
 bool store_cached(const std::filesystem::path& folder, const CacheKey& key, const Binary& binary) {
     if (folder.empty()) return false;
-    static std::atomic<unsigned> count{0};
-    std::error_code failure;
-    std::filesystem::create_directories(folder, failure);
-    const std::filesystem::path place = cache_file(folder, key);
-    std::filesystem::path aside = place;
-    aside += fmt::format(".{}.{}", ::getpid(), count++);
-    {
-        std::ofstream file(aside, std::ios::binary);
-        const std::string text = entry_text(key, binary);
-        file.write(text.data(), static_cast<std::streamsize>(text.size()));
-        if (!file.flush()) {
-            file.close();
-            std::filesystem::remove(aside, failure);
-            return false;
-        }
-    }
-    std::filesystem::rename(aside, place, failure);
-    if (!failure) return true;
     std::error_code ignored;
-    std::filesystem::remove(aside, ignored);
-    return false;
+    std::filesystem::create_directories(folder, ignored);
+    try {
+        write_file(cache_file(folder, key), entry_text(key, binary));
+        return true;
+    } catch (const Error&) {
+        return false;
+    }
 }
 
 }  // namespace pelage

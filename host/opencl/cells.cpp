@@ -2,11 +2,14 @@
 #include "opencl/cells.hpp"
 
 #include "core/error.hpp"
+#include "core/finite.hpp"
+#include "core/subnormal.hpp"
 #include "opencl/cells_division.hpp"
 #include "opencl/cells_lists.hpp"
 #include "opencl/cells_mirrors.hpp"
 #include "opencl/cells_programs.hpp"
 #include "opencl/cells_state.hpp"
+#include "opencl/cells_together.hpp"
 #include "opencl/cl_error.hpp"
 #include "opencl/neighbours_launch.hpp"
 #include "opencl/program.hpp"
@@ -46,7 +49,7 @@ std::string service_source() {
 // Half of a packed domain's side, in the precision of the run.
 template <class T>
 double packed_half(std::size_t cells, double area) {
-    const T side = std::sqrt(static_cast<T>(cells) * static_cast<T>(area)) - T(2);
+    const T side = std::sqrt(static_cast<T>(cells) * in_precision<T>(area)) - T(2);
     return static_cast<double>(side / T(2));
 }
 
@@ -74,7 +77,11 @@ private:
     std::optional<NonFinite> do_non_finite() const override;
 
     void take(const Snapshot&);
+    std::uint64_t some(std::uint64_t first, std::uint64_t most);
     std::uint64_t batch(std::uint64_t first, std::uint64_t most);
+    std::uint64_t leap(std::uint64_t first, std::uint64_t most);
+    void lengthen();
+    void flip(const CellsWritten&);
     void enqueue(CellsStep&, std::uint64_t first, std::size_t steps);
     std::size_t group_for(std::size_t items) const;
     cl_uint bind(cl::Kernel&, const CellsWritten&, bool back);
@@ -88,6 +95,7 @@ private:
     CellsLists lists_;
     CellsDivision division_;
     CellMirrors mirrors_;
+    CellsTogether together_;
     std::optional<CellsPrograms> programs_;
     mutable cl::Kernel check_;
     cl::Buffer progress_, found_;
@@ -106,6 +114,7 @@ OpenclCells::OpenclCells(std::shared_ptr<const Session> session, std::shared_ptr
       lists_(*session_, options, service_),
       division_(*session_, tuning_, service_),
       mirrors_(*session_, service_),
+      together_(*session_),
       check_(service_, "pelage_cells_check") {
     if (initial.lattice()) throw Error("a lattice has no free cells; it is stepped as a lattice");
     const std::string reason = why_not_cells(experiment());
@@ -119,7 +128,8 @@ OpenclCells::OpenclCells(std::shared_ptr<const Session> session, std::shared_ptr
 void OpenclCells::take(const Snapshot& snapshot) {
     state_.upload(snapshot);
     mirrors_.take(snapshot.mirrors);
-    programs_.emplace(*session_, experiment(), cells_plan(experiment(), snapshot, options_.approximate()));
+    CellsPlan plan = cells_plan(experiment(), snapshot, options_.approximate());
+    if (!programs_ || programs_->plan() != plan) programs_.emplace(*session_, experiment(), std::move(plan));
     lists_.forget();
     fresh_ = false;
     batch_ = 1;
@@ -139,14 +149,49 @@ void OpenclCells::do_write(const Snapshot& snapshot) {
 
 void OpenclCells::do_advance(std::uint64_t first, std::uint64_t count) {
     with_device(session_->info().name, [&] {
-        for (std::uint64_t done = 0; done < count;) done += batch(first + done, count - done);
+        for (std::uint64_t done = 0; done < count;) done += some(first + done, count - done);
     });
+}
+
+// Carries out some iterations, none where the lists had to be lengthened first; returns how many.
+std::uint64_t OpenclCells::some(std::uint64_t first, std::uint64_t most) {
+    const bool grows = state_.divide_rules() > 0;
+    const Fusion fusion = session_->options().fusion;
+    return cells_step_together(session_->info(), fusion, options_, do_cells(), grows) ? leap(first, most)
+                                                                                      : batch(first, most);
+}
+
+// In one launch, which appends children and mends lists as it goes.
+std::uint64_t OpenclCells::leap(std::uint64_t first, std::uint64_t most) {
+    std::uint64_t until = forever;
+    CellsStep& step = programs_->at(first, until, CellsForm::together);
+    if (!fresh_) lists_.build(state_);
+    state_.poison_spare([&](CellArray array) { return changes(step.written, array); });
+    const CellsTogether::Way way = together_.run(step, programs_->width(), state_, lists_, mirrors_,
+                                                 experiment().domain, first, std::min(most, until - first));
+    if (way.done == 0) {
+        lengthen();
+        return 0;
+    }
+    if (way.done % 2 == 1) flip(step.written);
+    state_.append(way.cells - do_cells());
+    if (way.children > 0) division_.append(state_, step.written, first + way.done - 1, way.children);
+    fresh_ = !way.stale && way.children == 0;
+    return way.done;
+}
+
+// After a launch that did nothing.
+void OpenclCells::lengthen() {
+    if (!lists_.lengthen(state_)) {
+        throw Error(fmt::format("device '{}' did not carry out a step, without a reason", session_->info().name));
+    }
+    fresh_ = true;
 }
 
 // Enqueues some steps, waits for them and returns how many of them were carried out.
 std::uint64_t OpenclCells::batch(std::uint64_t first, std::uint64_t most) {
     std::uint64_t until = forever;
-    CellsStep& step = programs_->at(first, until);
+    CellsStep& step = programs_->at(first, until, CellsForm::alone);
     const std::size_t steps =
         static_cast<std::size_t>(std::min<std::uint64_t>({batch_, options_.batch, most, until - first}));
     session_->queue().enqueueFillBuffer(progress_, cl_int{0}, 0, (steps + 1) * sizeof(Progress));
@@ -158,10 +203,8 @@ std::uint64_t OpenclCells::batch(std::uint64_t first, std::uint64_t most) {
     while (done < steps && progress[done + 1].skipped == 0) ++done;
     if (done > 0) {
         conclude(step, first, done, progress[done]);
-    } else if (lists_.lengthen(state_)) {
-        fresh_ = true;
     } else {
-        throw Error(fmt::format("device '{}' did not carry out a step, without a reason", session_->info().name));
+        lengthen();
     }
     return done;
 }
@@ -213,12 +256,15 @@ cl_uint OpenclCells::bind(cl::Kernel& kernel, const CellsWritten& written, bool 
     return arguments.next();
 }
 
-void OpenclCells::conclude(const CellsStep& step, std::uint64_t first, std::size_t done, const Progress& last) {
-    if (done % 2 == 1) {
-        for (std::size_t i = 0; i < cell_array_count; ++i) {
-            if (changes(step.written, static_cast<CellArray>(i))) state_.flip(static_cast<CellArray>(i));
-        }
+void OpenclCells::flip(const CellsWritten& written) {
+    for (std::size_t i = 0; i < cell_array_count; ++i) {
+        const auto array = static_cast<CellArray>(i);
+        if (changes(written, array)) state_.flip(array);
     }
+}
+
+void OpenclCells::conclude(const CellsStep& step, std::uint64_t first, std::size_t done, const Progress& last) {
+    if (done % 2 == 1) flip(step.written);
     if (last.children > 0)
         division_.append(state_, step.written, first + done - 1, static_cast<std::size_t>(last.children));
     // An approximate search goes on sorting even where nothing moves.
@@ -239,13 +285,7 @@ std::optional<NonFinite> OpenclCells::do_non_finite() const {
         cl_int found = 0;
         session_->queue().enqueueReadBuffer(found_, CL_TRUE, 0, sizeof found, &found);
         if (found == 0) return std::nullopt;
-        const Snapshot snapshot = state_.download();
-        for (std::size_t chemical = 0; chemical < snapshot.conc.size(); ++chemical) {
-            for (std::size_t cell = 0; cell < snapshot.cells(); ++cell) {
-                if (!std::isfinite(snapshot.conc[chemical][cell])) return NonFinite{chemical, cell};
-            }
-        }
-        return std::nullopt;
+        return first_non_finite(state_.download().conc);
     });
 }
 

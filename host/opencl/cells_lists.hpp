@@ -26,6 +26,7 @@ public:
 
     const DeviceLists& lists() const { return lists_; }
     double longest_way() const;  // squared; lists hold while no cell moves farther
+    double square() const { return rounded_square(session_, reach()); }  // of how far lists look
 
     // Of the latest build; empty where the search is exact.
     std::optional<SearchStatistics> statistics(const CellsState&) const;

@@ -21,24 +21,26 @@ void CellMirrors::take(const Pairs& pairs) {
     }
     std::vector<cl_int2> sorted;
     for (const Pairs& round : rounds) {
-        rounds_.push_back(sorted.size());
+        rounds_.push_back(static_cast<cl_int>(sorted.size()));
         for (const auto& [a, b] : round) sorted.push_back({{static_cast<cl_int>(a), static_cast<cl_int>(b)}});
     }
-    if (sorted.empty()) return;
-    rounds_.push_back(sorted.size());
+    rounds_.push_back(static_cast<cl_int>(sorted.size()));
+    starts_ = session_.buffer(rounds_.size() * sizeof(cl_int), "rounds of mirror pairs");
+    session_.queue().enqueueWriteBuffer(starts_, CL_TRUE, 0, rounds_.size() * sizeof(cl_int), rounds_.data());
     sorted_ = session_.buffer(sorted.size() * sizeof(cl_int2), "mirror pairs");
+    if (sorted.empty()) return;
     session_.queue().enqueueWriteBuffer(sorted_, CL_TRUE, 0, sorted.size() * sizeof(cl_int2), sorted.data());
 }
 
 void CellMirrors::enqueue(const CellsState& state, const cl::Buffer& progress, int step, bool in_spare) {
     for (std::size_t round = 0; round + 1 < rounds_.size(); ++round) {
-        const std::size_t count = rounds_[round + 1] - rounds_[round];
+        const cl_int count = rounds_[round + 1] - rounds_[round];
         Arguments(session_, kernel_)
-            .add(sorted_, static_cast<cl_int>(rounds_[round]), static_cast<cl_int>(count), state.pitch(),
-                 state.chemicals(), state.place_of(), progress, step,
+            .add(sorted_, rounds_[round], count, state.pitch(), state.chemicals(), state.place_of(), progress, step,
                  in_spare ? state.spare(CellArray::conc) : state.now(CellArray::conc),
                  in_spare ? state.spare(CellArray::rate) : state.now(CellArray::rate));
-        launch(session_, kernel_, count, std::min<std::size_t>(count, 16));
+        const auto items = static_cast<std::size_t>(count);
+        launch(session_, kernel_, items, std::min<std::size_t>(items, 16));
     }
 }
 

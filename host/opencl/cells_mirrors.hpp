@@ -22,6 +22,11 @@ public:
     void take(const Pairs&);
     const Pairs& pairs() const { return pairs_; }
 
+    // Pairs starts[i] .. starts[i + 1] - 1 of the sorted ones share no cell.
+    const cl::Buffer& sorted() const { return sorted_; }
+    const cl::Buffer& starts() const { return starts_; }
+    int rounds() const { return static_cast<int>(rounds_.size()) - 1; }
+
     // Averages what step `step` of a batch has written, unless it was skipped.
     void enqueue(const CellsState&, const cl::Buffer& progress, int step, bool in_spare);
 
@@ -29,8 +34,9 @@ private:
     const Session& session_;
     cl::Kernel kernel_;
     Pairs pairs_;
-    cl::Buffer sorted_;                // by round
-    std::vector<std::size_t> rounds_;  // pairs rounds_[i] .. rounds_[i + 1] - 1 of the sorted ones share no cell
+    cl::Buffer sorted_;           // by round
+    cl::Buffer starts_;           // of the rounds
+    std::vector<cl_int> rounds_;  // the same on the host
 };
 
 }  // namespace pelage

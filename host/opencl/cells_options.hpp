@@ -17,6 +17,7 @@ struct CellsOptions {
     std::size_t batch = 32;  // most iterations that are enqueued before the host looks at them
     int list_capacity = 12;  // entries a list to begin with, at least 8: lists that are read whole keep the memory busy
     std::optional<NeighbourTuning> tuning;
+    std::optional<bool> together;  // many iterations a launch by one work-group; none: where that is faster
 
     bool approximate() const { return search == NeighbourSearch::spatial_sorting; }
 };

@@ -34,20 +34,21 @@ std::vector<bool> active_soon(const Experiment& experiment, std::uint64_t iterat
 CellsPrograms::CellsPrograms(const Session& session, const Experiment& experiment, CellsPlan plan)
     : session_(session), experiment_(experiment), plan_(std::move(plan)), width_(default_width(session)) {}
 
-CellsStep& CellsPrograms::at(std::uint64_t iteration, std::uint64_t& until) {
+CellsStep& CellsPrograms::at(std::uint64_t iteration, std::uint64_t& until, CellsForm form) {
     std::vector<bool> active = active_rules(experiment_, iteration);
     until = next_change(experiment_, iteration);
     const bool brief = until - iteration < shortest_stretch;
     if (brief) active = active_soon(experiment_, iteration, until);
     const Phase& phase = experiment_.phase_at(iteration);
     const auto place = static_cast<std::size_t>(&phase - experiment_.phases.data());
-    const Key key{place, brief, active};
+    const Key key{form, place, brief, active};
     const auto known = steps_.find(key);
     if (known != steps_.end()) return known->second;
     const CellsSource source =
-        cells_step_source(experiment_, active, brief, phase, plan_, session_.options().precision, width_);
+        cells_step_source(experiment_, active, brief, phase, plan_, session_.options().precision, width_, form);
     const cl::Program program = session_.build(source.text);
-    CellsStep step{cl::Kernel(program, "pelage_cells_step"), cl::Kernel(program, "pelage_cells_step"), source.written};
+    const char* name = form == CellsForm::alone ? "pelage_cells_step" : "pelage_cells_together";
+    CellsStep step{cl::Kernel(program, name), cl::Kernel(program, name), source.written};
     return steps_.emplace(key, std::move(step)).first->second;
 }
 

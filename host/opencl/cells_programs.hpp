@@ -13,8 +13,8 @@
 namespace pelage {
 
 struct CellsStep {
-    cl::Kernel there;  // from the arrays that hold the state to the spare ones
-    cl::Kernel back;
+    cl::Kernel there;  // from the arrays that hold the state to the spare ones; together: to and fro
+    cl::Kernel back;   // alone
     CellsWritten written;
 };
 
@@ -22,17 +22,18 @@ class CellsPrograms {
 public:
     CellsPrograms(const Session&, const Experiment&, CellsPlan);
 
+    const CellsPlan& plan() const { return plan_; }
     std::size_t width() const { return width_; }  // cells a work-item handles
 
     // The step for that iteration and all after it below `until`.
-    CellsStep& at(std::uint64_t iteration, std::uint64_t& until);
+    CellsStep& at(std::uint64_t iteration, std::uint64_t& until, CellsForm);
 
 private:
     const Session& session_;
     const Experiment& experiment_;
     CellsPlan plan_;
     std::size_t width_;
-    using Key = std::tuple<std::size_t, bool, std::vector<bool>>;  // phase, tests of intervals, rules
+    using Key = std::tuple<CellsForm, std::size_t, bool, std::vector<bool>>;  // phase, tests of intervals, rules
     std::map<Key, CellsStep> steps_;
 };
 

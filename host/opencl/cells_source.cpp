@@ -230,12 +230,15 @@ bool changes(const CellsWritten& written, CellArray array) {
 }
 
 CellsSource cells_step_source(const Experiment& experiment, const std::vector<bool>& active, bool test_intervals,
-                              const Phase& phase, const CellsPlan& plan, Precision precision, std::size_t width) {
+                              const Phase& phase, const CellsPlan& plan, Precision precision, std::size_t width,
+                              CellsForm form) {
     const RuleText rules = emit_rules(experiment, active, precision, test_intervals);
     StepEmitter emitter(experiment, rules, phase, plan, precision);
     Source source;
     source.text(fmt::format("#define PELAGE_PUBLISHED\n#define PELAGE_WIDTH {}\n", width));
     if (plan.all_listed) source.text("#define PELAGE_ALL_LISTED\n");
+    if (plan.mirrors) source.text("#define PELAGE_MIRRORS\n");
+    if (rules.use.divides) source.text("#define PELAGE_DIVIDES\n");
     source.file("prelude.cl").file("philox.cl");
     for (const std::string& file : model_files(rules.use)) source.file(file);
     source.file("cells_state.cl");
@@ -244,6 +247,14 @@ CellsSource cells_step_source(const Experiment& experiment, const std::vector<bo
                                   {"MAPPINGS", emitter.mappings()},
                                   {"NEIGHBOUR", emitter.neighbour()},
                                   {"FINISH", emitter.finish()}});
+    if (form == CellsForm::alone) {
+        source.file("cells_alone.cl");
+    } else {
+        source.file("scan.cl").file("list.cl");
+        if (rules.use.divides) source.file("cells_divide.cl");
+        if (plan.mirrors) source.file("cells_mirror.cl");
+        source.file("cells_together.cl");
+    }
     return {source.str(), emitter.written()};
 }
 

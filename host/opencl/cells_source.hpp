@@ -18,6 +18,8 @@ struct CellsPlan {
     std::vector<RateKind> rates;  // one a chemical
     bool mirrors = false;         // some cells are mirror pairs
     bool all_listed = false;      // lists hold neighbours only, not candidates that may be too far
+
+    bool operator==(const CellsPlan&) const = default;
 };
 
 CellsPlan cells_plan(const Experiment&, const Snapshot&, bool all_listed);
@@ -37,9 +39,11 @@ struct CellsSource {
     CellsWritten written;
 };
 
+enum class CellsForm { alone, together };  // one iteration a launch; many of a small tissue
+
 // The rules in `active` act; with `test_intervals` only where their intervals say so. `phase` gives time step and
 // bounds. `width`: cells a work-item handles side by side.
 CellsSource cells_step_source(const Experiment&, const std::vector<bool>& active, bool test_intervals, const Phase&,
-                              const CellsPlan&, Precision, std::size_t width);
+                              const CellsPlan&, Precision, std::size_t width, CellsForm);
 
 }  // namespace pelage

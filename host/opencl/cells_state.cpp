@@ -3,6 +3,7 @@
 
 #include "core/error.hpp"
 #include "core/experiment.hpp"
+#include "core/subnormal.hpp"
 #include "opencl/cl_error.hpp"
 
 #include <fmt/format.h>
@@ -155,7 +156,9 @@ void CellsState::upload(const Snapshot& snapshot) {
 
 template <class T>
 void CellsState::put(CellArray array, std::size_t plane, const std::vector<double>& values) {
-    write(session_, now(array), plane * pitch_, converted<T>(values));
+    std::vector<T> numbers(values.size());
+    std::ranges::transform(values, numbers.begin(), in_precision<T>);
+    write(session_, now(array), plane * pitch_, numbers);
 }
 
 template <class T>
@@ -201,7 +204,7 @@ Snapshot CellsState::download() const {
     }
     const auto get = [&](CellArray array) { return fetch<cl_int>(session_, now(array), 0, cells_); };
     snapshot.neighbours = by_id<std::int32_t>(get(CellArray::neighbours), place);
-    snapshot.birth = by_id<std::int32_t>(get(CellArray::birth), place);
+    snapshot.birth = by_id<std::uint32_t>(get(CellArray::birth), place);
     snapshot.fixed = by_id<std::uint8_t>(get(CellArray::fixed), place);
     return snapshot;
 }
@@ -213,7 +216,7 @@ void CellsState::fill_rate(std::size_t chemical, double rate) {
     if (session_.is_double()) {
         session_.queue().enqueueFillBuffer(rates, static_cast<cl_double>(rate), offset, pitch_ * bytes);
     } else {
-        session_.queue().enqueueFillBuffer(rates, static_cast<cl_float>(rate), offset, pitch_ * bytes);
+        session_.queue().enqueueFillBuffer(rates, in_precision<cl_float>(rate), offset, pitch_ * bytes);
     }
 }
 

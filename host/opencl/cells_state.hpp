@@ -23,8 +23,10 @@ public:
     CellsState(const Session&, std::size_t chemicals, std::size_t mappings, std::size_t divides);
 
     int cells() const { return static_cast<int>(cells_); }
-    int pitch() const { return static_cast<int>(pitch_); }  // from plane to plane
+    int pitch() const { return static_cast<int>(pitch_); }                // from plane to plane
+    int room() const { return static_cast<int>(pitch_ - extra_places); }  // most cells, until more is reserved
     int chemicals() const { return static_cast<int>(planes_[static_cast<std::size_t>(CellArray::conc)]); }
+    std::size_t divide_rules() const { return divide_rules_; }
     int mappings() const { return static_cast<int>(planes_[static_cast<std::size_t>(CellArray::mapping)]); }
 
     void upload(const Snapshot&);  // physical order: that of ids

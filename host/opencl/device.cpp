@@ -1,7 +1,10 @@
 // See device.hpp.
 #include "opencl/device.hpp"
 
+#include "core/allowance.hpp"
+#include "core/subnormal.hpp"
 #include "opencl/cl_error.hpp"
+#include "opencl/pocl.hpp"
 
 #include <fmt/format.h>
 
@@ -73,6 +76,7 @@ void query(const cl::Device& device, DeviceInfo& info) {
     info.memory = device.getInfo<CL_DEVICE_GLOBAL_MEM_SIZE>();
     info.max_allocation = device.getInfo<CL_DEVICE_MAX_MEM_ALLOC_SIZE>();
     info.compute_units = device.getInfo<CL_DEVICE_MAX_COMPUTE_UNITS>();
+    info.processors = usable_processors();
     info.max_work_group = largest_group(device);
     info.vector_width_float = std::max(1u, device.getInfo<CL_DEVICE_NATIVE_VECTOR_WIDTH_FLOAT>());
     info.vector_width_double = answer_or<CL_DEVICE_NATIVE_VECTOR_WIDTH_DOUBLE>(device, cl_uint{0});
@@ -98,6 +102,7 @@ DeviceInfo describe(const cl::Device& device, const std::string& platform, const
         if (info.type.empty()) info.type = "other";
         info.unusable = failure_of(error);
     }
+    if (info.unusable.empty() && platform == pocl_platform) info.unusable = pocl_trouble();
     return info;
 }
 
@@ -133,6 +138,7 @@ std::vector<cl::Device> devices_of(const cl::Platform& platform) {
 }
 
 std::string listing(const std::vector<DeviceInfo>& devices) {
+    if (devices.empty() && !pocl_trouble().empty()) return "no OpenCL device is there: " + pocl_trouble();
     if (devices.empty()) return "no OpenCL device is there; install a driver, such as pocl-opencl-icd";
     std::string text = "devices here:";
     for (const DeviceInfo& device : devices) {
@@ -189,7 +195,16 @@ bool DeviceInfo::software_rasteriser() const {
 
 bool DeviceInfo::watches_memory() const { return platform == "Oclgrind"; }
 
+std::size_t DeviceInfo::running_units() const {
+    const std::size_t units = std::max<std::size_t>(1, compute_units);
+    return type == "cpu" ? std::min(units, processors) : units;
+}
+
+// Threads inherit the mode of the one that starts them, and some drivers start theirs here (rusticl): those flush then
+// though they do not heed -cl-denorms-are-zero.
 std::vector<DeviceInfo> list_devices() {
+    const SubnormalsAreZero scope;
+    prepare_pocl();
     std::vector<DeviceInfo> devices;
     std::vector<DeviceInfo> broken;  // last, so that they move nobody else's index
     for (const cl::Platform& platform : list_platforms()) {
@@ -214,18 +229,27 @@ std::size_t choose_device(const std::vector<DeviceInfo>& devices, const std::opt
         if (word.empty()) return true;
         return is_type(word) ? device.type == word : lower(device.name).find(word) != std::string::npos;
     };
-    const std::size_t found = best(devices, fits);
+    // "pocl" is in the version alone: that platform calls itself Portable Computing Language.
+    const auto stands_on = [&](const DeviceInfo& device) {
+        return lower(device.platform + "\n" + device.platform_version).find(word) != std::string::npos;
+    };
+    std::size_t found = best(devices, fits);
+    if (found == devices.size() && !word.empty() && !is_type(word)) found = best(devices, stands_on);
     if (found < devices.size()) return found;
     if (devices.empty() && word.empty()) throw Error(listing(devices));
     if (word.empty()) throw Error("no usable OpenCL device; " + listing(devices));
-    throw Error(fmt::format("no usable OpenCL device is, or is named, '{}'; {}", word, listing(devices)));
+    throw Error(fmt::format("no usable OpenCL device or platform is, or is named, '{}'; {}", word, listing(devices)));
 }
 
 DeviceInfo select_device(const std::optional<std::string>& wanted) {
     const std::vector<DeviceInfo> devices = list_devices();
-    std::optional<std::string> word = wanted;
-    if (const char* set = std::getenv("PELAGE_DEVICE"); !word && set != nullptr && *set != '\0') word = set;
-    return devices.at(choose_device(devices, word));
+    const char* variable = std::getenv("PELAGE_DEVICE");
+    if (wanted || variable == nullptr || *variable == '\0') return devices.at(choose_device(devices, wanted));
+    try {
+        return devices.at(choose_device(devices, variable));
+    } catch (const Error& error) {
+        throw Error(fmt::format("the environment variable PELAGE_DEVICE asks for '{}': {}", variable, error.what()));
+    }
 }
 
 }  // namespace pelage

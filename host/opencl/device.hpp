@@ -3,6 +3,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <limits>
 #include <optional>
 #include <string>
 #include <vector>
@@ -35,6 +36,12 @@ struct DeviceInfo {
     // Watches every access itself (Oclgrind): guard zones would hide from it what lies outside a buffer, and filling
     // memory what was never written.
     bool watches_memory() const;
+
+    // Work-groups that can run at once, and so may wait for each other: the compute units, but on a CPU not more than
+    // this process has processors.
+    std::size_t running_units() const;
+    std::size_t processors =
+        std::numeric_limits<std::size_t>::max();  // those that this process may use; of interest where `type` is "cpu"
 };
 
 // All devices of all platforms, in the loader's order. A device that fails while being queried is listed with the
@@ -43,9 +50,10 @@ struct DeviceInfo {
 std::vector<DeviceInfo> list_devices();
 
 // The place in `devices` of the one that `wanted` names: an index, a type (gpu, cpu, accelerator) or a part of the
-// name in any case. Without `wanted`, and among those that a type or name fits: the first usable GPU that is not a
-// software rasteriser, else the first such CPU, else accelerator, else whatever is usable; so of two platforms with the
-// same device the first one's is taken, and an index says otherwise. Throws Error listing what is there.
+// name, or else of its platform's name or version, in any case. Without `wanted`, and among those that a type or name
+// fits: the first usable GPU that is not a software rasteriser, else the first such CPU, else accelerator, else
+// whatever is usable; so of two platforms with the same device the first one's is taken, and an index says otherwise.
+// Throws Error listing what is there.
 std::size_t choose_device(const std::vector<DeviceInfo>& devices, const std::optional<std::string>& wanted);
 
 // choose_device among list_devices(); without `wanted` the environment variable PELAGE_DEVICE is obeyed, if set.

@@ -2,6 +2,7 @@
 #include "opencl/emit_operand.hpp"
 
 #include "core/philox.hpp"
+#include "core/subnormal.hpp"
 
 #include <fmt/format.h>
 
@@ -11,40 +12,45 @@ namespace pelage {
 
 std::string emit_number(double value, Precision precision) {
     const bool single = precision == Precision::single_;
-    const double rounded = single ? static_cast<double>(static_cast<float>(value)) : value;
+    const double rounded = single ? double{in_precision<float>(value)} : value;
     if (std::isnan(rounded)) return "R(NAN)";
     if (std::isinf(rounded)) return rounded < 0 ? "R(-INFINITY)" : "R(INFINITY)";
     return fmt::format("R({}{:a}{})", std::signbit(rounded) ? "-" : "", std::fabs(rounded), single ? "f" : "");
 }
 
+std::string OperandEmitter::whole(const Operand& operand) {
+    use_.quantities.insert(operand.quantity);
+    switch (operand.quantity) {
+        case Quantity::neighbours:
+            return "WHOLE_NEIGHBOURS";
+        case Quantity::age:
+            return "WHOLE_AGE";
+        case Quantity::birth:
+            return "WHOLE_BIRTH";
+        case Quantity::row:
+            return "WHOLE_ROW";
+        case Quantity::column:
+            return "WHOLE_COLUMN";
+        case Quantity::rows:
+            return "WHOLE_ROWS";
+        case Quantity::columns:
+            return "WHOLE_COLUMNS";
+        default:
+            return "WHOLE_ITERATION";
+    }
+}
+
 std::string OperandEmitter::text(const Operand& operand) {
-    const auto quantity = [&](const char* name) {
-        use_.quantities.insert(operand.quantity);
-        return std::string(name);
-    };
+    if (is_whole(operand.quantity)) return fmt::format("TO_REAL({})", whole(operand));
     switch (operand.quantity) {
         case Quantity::number:
             return emit_number(operand.value, precision_);
-        case Quantity::neighbours:
-            return quantity("GET_NEIGHBOURS");
-        case Quantity::age:
-            return quantity("GET_AGE");
-        case Quantity::birth:
-            return quantity("GET_BIRTH");
         case Quantity::x:
-            return quantity("GET_X");
+            use_.quantities.insert(operand.quantity);
+            return "GET_X";
         case Quantity::y:
-            return quantity("GET_Y");
-        case Quantity::row:
-            return quantity("GET_ROW");
-        case Quantity::column:
-            return quantity("GET_COLUMN");
-        case Quantity::rows:
-            return quantity("GET_ROWS");
-        case Quantity::columns:
-            return quantity("GET_COLUMNS");
-        case Quantity::iteration:
-            return "R((scalar)iteration)";
+            use_.quantities.insert(operand.quantity);
+            return "GET_Y";
         case Quantity::random: {
             const std::uint32_t nth = randoms_++;
             const std::uint32_t purpose = purpose::operand + 16 * (nth / 4);
@@ -60,6 +66,8 @@ std::string OperandEmitter::text(const Operand& operand) {
         case Quantity::mapping:
             use_.mappings_read.insert(operand.index);
             return fmt::format("m{}", operand.index);
+        default:
+            break;
     }
     return "R(0)";
 }

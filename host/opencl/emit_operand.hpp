@@ -15,7 +15,8 @@ class OperandEmitter {
 public:
     OperandEmitter(std::size_t rule, Precision precision) : rule_(rule), precision_(precision) {}
 
-    std::string text(const Operand&);
+    std::string text(const Operand&);   // of type real
+    std::string whole(const Operand&);  // of type uintv; for is_whole() quantities
 
     // Uniform in [0, 1): first word of this rule's draw for `purpose`.
     std::string draw(std::uint32_t purpose);

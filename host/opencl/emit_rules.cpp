@@ -2,7 +2,9 @@
 #include "opencl/emit_rules.hpp"
 
 #include "core/philox.hpp"
+#include "core/subnormal.hpp"
 #include "opencl/emit_operand.hpp"
+#include "opencl/emit_whole.hpp"
 
 #include <fmt/format.h>
 
@@ -21,24 +23,6 @@ std::string kernel_name(Model model) {
 }
 
 bool acts_on_one(Model model) { return model == Model::cubic || model == Model::reinforcement; }
-
-const char* symbol(Comparison comparison) {
-    switch (comparison) {
-        case Comparison::equal:
-            return "==";
-        case Comparison::not_equal:
-            return "!=";
-        case Comparison::less:
-            return "<";
-        case Comparison::less_equal:
-            return "<=";
-        case Comparison::greater:
-            return ">";
-        case Comparison::greater_equal:
-            return ">=";
-    }
-    return "==";
-}
 
 // True at the iterations at which the rule acts, as Rule::active(); values past 32 bits never come.
 std::string interval(const Rule& rule) {
@@ -94,14 +78,29 @@ private:
 
     std::string test(const Always&) { return ""; }
     std::string test(const Compare& c) {
+        if (compared_exactly(c.left, c.right)) return exactly(c.left, c.comparison, c.right);
         const std::string left = operands_.text(c.left);
         return fmt::format("({} {} {})", left, symbol(c.comparison), operands_.text(c.right));
     }
     std::string test(const Within& c) {
-        const std::string value = operands_.text(c.value);
-        const std::string low = operands_.text(c.low);
-        return fmt::format("({} <= {}) & ({} <= {})", low, value, value, operands_.text(c.high));
+        const bool low_exact = compared_exactly(c.low, c.value);
+        const bool high_exact = compared_exactly(c.value, c.high);
+        const std::string value = low_exact && high_exact ? "" : operands_.text(c.value);
+        const std::string low = low_exact ? exactly(c.low, Comparison::less_equal, c.value)
+                                          : fmt::format("({} <= {})", operands_.text(c.low), value);
+        const std::string high = high_exact ? exactly(c.value, Comparison::less_equal, c.high)
+                                            : fmt::format("({} <= {})", value, operands_.text(c.high));
+        return fmt::format("{} & {}", low, high);
     }
+
+    std::string exactly(const Operand& left, Comparison comparison, const Operand& right) {
+        if (right.quantity == Quantity::number) return emit_whole_test(operands_.whole(left), comparison, right.value);
+        if (left.quantity == Quantity::number)
+            return emit_whole_test(operands_.whole(right), exchanged(comparison), left.value);
+        const std::string whole = operands_.whole(left);
+        return fmt::format("TO_MASK({} {} {})", whole, symbol(comparison), operands_.whole(right));
+    }
+
     std::string test(const Probability& c) {
         const std::string chance = operands_.text(c.chance);
         return fmt::format("({} < {})", operands_.draw(purpose::condition), chance);
@@ -119,7 +118,7 @@ private:
 
     std::string deviated(const Operand& amount, double deviation) {
         const std::string middle = operands_.text(amount);
-        if (static_cast<float>(deviation) == 0.0f && (precision_ == Precision::single_ || deviation == 0.0))
+        if (in_precision<float>(deviation) == 0.0f && (precision_ == Precision::single_ || deviation == 0.0))
             return middle;
         const std::string u = operands_.draw(purpose::deviation);
         return fmt::format("({} + {} * (({} + {}) - R(1)))", middle, number(deviation), u, u);
@@ -183,6 +182,7 @@ private:
 
     void act(const Divide& divide) {
         out_.use.polarity = true;
+        out_.use.divides = true;
         const std::string degrees = deviated(divide.direction, divide.deviation);
         guarded([&] { line(fmt::format("DIVIDE({}, {}, {}, {});", divide_, place_, truth(), degrees)); });
     }

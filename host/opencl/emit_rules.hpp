@@ -7,8 +7,8 @@
 //   const real px, py           old polarity, where RuleUse::polarity
 //   const real dt               time step
 //   const uintv id; const uint iteration, seed_low, seed_high          where RuleUse::random (iteration: always)
-//   and as macros or variables of type real, where RuleUse::quantities says so:
-//   GET_NEIGHBOURS  GET_AGE  GET_BIRTH  GET_X  GET_Y  GET_ROW  GET_COLUMN  GET_ROWS  GET_COLUMNS
+//   and as macros, where RuleUse::quantities says so, of type real:  GET_X  GET_Y
+//   and of type uintv:  WHOLE_NEIGHBOURS  WHOLE_AGE  WHOLE_BIRTH  WHOLE_ROW  WHOLE_COLUMN  WHOLE_ROWS  WHOLE_COLUMNS
 // The emitted text declares
 //   mask t0, t1, ...            where the rule of that number acts
 //   mask e0.., real s0..        RuleUse::sets: where a `set` replaces the new concentration, and by what
@@ -41,6 +41,7 @@ struct RuleUse {                                // what the emitted rules need o
     std::set<Quantity> quantities;    // those read that are neither numbers nor indexed
     bool random = false;
     bool polarity = false;  // some rule moves or divides
+    bool divides = false;
 
     bool operator==(const RuleUse&) const = default;
 };

@@ -131,7 +131,7 @@ FusedLaunch stream_launch(const DeviceInfo& device, const Grid& grid, const Fuse
                           std::uint64_t count) {
     const bool whole = grid.columns <= shape.vectors * width;
     const bool alone = whole && grid.cells() < alone_below;
-    const std::size_t units = alone ? 1 : std::max<std::size_t>(1, device.compute_units);
+    const std::size_t units = alone ? 1 : device.running_units();
     const std::size_t depth = whole && shape.together ? shared_depth(shape, divided(grid.rows, units)) : shape.depth;
     const std::size_t steps = steps_of_pass(grid, depth, count);
     FusedLaunch launch = whole ? whole_rows(grid, width, steps) : across(grid, shape, width, steps, units);

@@ -1,6 +1,8 @@
 // See fused_step.hpp.
 #include "opencl/fused_step.hpp"
 
+#include "core/counted.hpp"
+
 #include "opencl/emit_lattice.hpp"
 
 #include <fmt/format.h>
@@ -27,8 +29,8 @@ FusedStep::FusedStep(const Session& session, const Experiment& experiment, const
 }
 
 std::string FusedStep::describe() const {
-    return fmt::format("fused, {}, up to {} iterations in one pass over memory",
-                       tiled_ ? "in tiles of local memory" : "streamed", shape_.depth);
+    return fmt::format("fused, {}, up to {} in one pass over memory", tiled_ ? "in tiles of local memory" : "streamed",
+                       counted(shape_.depth, "iteration"));
 }
 
 void FusedStep::set_planes(LatticeState& state) {

@@ -1,6 +1,7 @@
 // See guards.hpp.
 #include "opencl/guards.hpp"
 
+#include "core/counted.hpp"
 #include "core/error.hpp"
 
 #include <fmt/format.h>
@@ -61,8 +62,9 @@ void Guards::look(std::span<const cl_uint> found, bool after, const Zone& zone, 
     const auto written = std::ranges::count_if(found, touched);
     if (written == 0) return;
     const auto at = static_cast<std::size_t>(std::ranges::find_if(found, touched) - found.begin()) * sizeof poison;
-    throw Error(fmt::format("kernel '{}' wrote {} words outside the {}, which has {} bytes: the first {} bytes {}",
-                            kernel, written, zone.what, zone.bytes, after ? at : guard_ - at,
+    throw Error(fmt::format("kernel '{}' wrote {} outside the {}, which has {}: the first {} bytes {}", kernel,
+                            counted(static_cast<std::uint64_t>(written), "word"), zone.what,
+                            counted(zone.bytes, "byte"), after ? at : guard_ - at,
                             after ? "after its end" : "before its beginning"));
 }
 

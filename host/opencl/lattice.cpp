@@ -2,6 +2,7 @@
 #include "opencl/lattice.hpp"
 
 #include "core/schedule.hpp"
+#include "core/subnormal.hpp"
 #include "opencl/cl_error.hpp"
 #include "opencl/emit_lattice.hpp"
 #include "opencl/explain.hpp"
@@ -26,13 +27,13 @@ namespace {
 template <class T>
 void put_parameters(std::vector<double>& values, const Experiment& experiment, const LatticePlan& plan,
                     const LatticeState& state, const Phase& phase) {
-    const T dt = static_cast<T>(phase.time_step);
+    const T dt = in_precision<T>(phase.time_step);
     values[0] = double{dt};
     for (std::size_t i = 0; i < experiment.chemicals.size(); ++i) {
         const auto put = [&](LatticeParameter what, T value) { values[parameter_place(i, what)] = double{value}; };
-        const T rate = static_cast<T>(state.uniform_rate(i));
-        put(LatticeParameter::floor, static_cast<T>(phase.bounds[i].floor));
-        put(LatticeParameter::limit, static_cast<T>(phase.bounds[i].limit));
+        const T rate = in_precision<T>(state.uniform_rate(i));
+        put(LatticeParameter::floor, in_precision<T>(phase.bounds[i].floor));
+        put(LatticeParameter::limit, in_precision<T>(phase.bounds[i].limit));
         put(LatticeParameter::rate, rate);
         put(LatticeParameter::share, (rate * dt) / static_cast<T>(stencil_divisor(plan.stencil)));
     }
@@ -202,6 +203,7 @@ private:
         if (session_->is_double()) {
             put_parameters<double>(values, experiment(), plan_, *state_, phase);
         } else {
+            const SubnormalsAreZero scope;
             put_parameters<float>(values, experiment(), plan_, *state_, phase);
         }
         if (values == parameter_values_) return;

@@ -1,6 +1,7 @@
 // See lattice_state.hpp.
 #include "opencl/lattice_state.hpp"
 
+#include "core/subnormal.hpp"
 #include "opencl/emit_lattice.hpp"
 
 #include <algorithm>
@@ -13,19 +14,19 @@ bool reads_birth(const RuleUse& use) {
     return use.quantities.contains(Quantity::age) || use.quantities.contains(Quantity::birth);
 }
 
-// Cells lie 2 apart around the centre, rounded to float as the published program holds them.
+// Cells lie 2 apart around the centre.
 std::vector<double> centres(double origin, std::size_t count) {
     std::vector<double> values(count);
     for (std::size_t i = 0; i < count; ++i) {
         const double offset = (static_cast<double>(i) - static_cast<double>(count) / 2.0) * 2 + 1;
-        values[i] = static_cast<double>(static_cast<float>(origin + offset));
+        values[i] = origin + offset;
     }
     return values;
 }
 
 std::vector<double> rounded(const std::vector<double>& values, bool is_double) {
     std::vector<double> result = values;
-    for (double& value : result) value = is_double ? value : double{static_cast<float>(value)};
+    for (double& value : result) value = is_double ? value : double{in_precision<float>(value)};
     return result;
 }
 
@@ -61,7 +62,7 @@ LatticeState::LatticeState(const Session& session, const Experiment& experiment,
     if (polarity_.planes() > 0)
         polarity_.upload(grid_, std::vector<std::vector<double>>{initial.polarity_x, initial.polarity_y});
     mappings_.upload(grid_, initial.mappings);
-    if (birth_.planes() > 0) birth_.upload(grid_, std::vector<std::vector<std::int32_t>>{initial.birth});
+    if (birth_.planes() > 0) birth_.upload(grid_, std::vector<std::vector<std::uint32_t>>{initial.birth});
     if (neighbours_.planes() > 0) neighbours_.upload(grid_, std::vector<std::vector<std::int32_t>>{initial.neighbours});
     if (polarity_.planes() == 0) {
         kept_polarity_x_.take(rounded(initial.polarity_x, session.is_double()));
@@ -95,7 +96,7 @@ void LatticeState::upload_places() {
 }
 
 void LatticeState::set_rate(std::size_t chemical, double rate) {
-    uniform_rates_[chemical] = session_.is_double() ? rate : static_cast<double>(static_cast<float>(rate));
+    uniform_rates_[chemical] = session_.is_double() ? rate : double{in_precision<float>(rate)};
     if (rate_planes_[chemical] != no_plane) rates_.fill(grid_, rate_planes_[chemical], rate);
     ++rates_version_;
 }
@@ -128,15 +129,15 @@ void LatticeState::forget_counts() {
 
 void LatticeState::lay_out(const Grid& grid) {
     grid_ = grid;
-    x_ = centres(origin_x_, grid_.columns);
-    y_ = centres(origin_y_, grid_.rows);
+    x_ = rounded(centres(origin_x_, grid_.columns), session_.is_double());
+    y_ = rounded(centres(origin_y_, grid_.rows), session_.is_double());
     upload_places();
 }
 
 void LatticeState::expand(const Insertion& insertion, std::uint64_t iteration) {
     forget_counts();
     const Grid after = grid_.grown(insertion.column);
-    const auto birth = static_cast<std::int32_t>(iteration);
+    const auto birth = static_cast<std::uint32_t>(iteration);
     expander_.prepare(insertion);
     for (Planes* planes : {&conc_, &rates_, &polarity_, &mappings_, &birth_, &neighbours_}) {
         if (planes->planes() == 0) continue;
@@ -183,7 +184,7 @@ Snapshot LatticeState::read() const {
     auto rates = rates_.download<double>(grid_);
     for (std::size_t i = 0; i < plan_.rates.size(); ++i) {
         const bool own = rate_planes_[i] != no_plane;
-        const double rate = session_.is_double() ? uniform_rates_[i] : double{static_cast<float>(uniform_rates_[i])};
+        const double rate = session_.is_double() ? uniform_rates_[i] : double{in_precision<float>(uniform_rates_[i])};
         state.diff.push_back(own ? std::move(rates[rate_planes_[i]]) : std::vector<double>(grid_.cells(), rate));
     }
     state.mappings = mappings_.download<double>(grid_);
@@ -199,7 +200,7 @@ Snapshot LatticeState::read() const {
         state.polarity_x = kept_polarity_x_.of_all(cells);
         state.polarity_y = kept_polarity_y_.of_all(cells);
     }
-    state.birth = birth_.planes() > 0 ? birth_.download<std::int32_t>(grid_)[0] : kept_birth_.of_all(cells);
+    state.birth = birth_.planes() > 0 ? birth_.download<std::uint32_t>(grid_)[0] : kept_birth_.of_all(cells);
     state.neighbours = neighbours_.planes() > 0 ? neighbours_.download<std::int32_t>(grid_)[0]
                        : counted_               ? count_neighbours()
                                                 : kept_neighbours_.of_all(cells);

@@ -70,7 +70,8 @@ private:
     std::vector<double> x_, y_;
     double origin_x_, origin_y_;
     KeptField<double> kept_polarity_x_, kept_polarity_y_;
-    KeptField<std::int32_t> kept_birth_, kept_neighbours_;
+    KeptField<std::uint32_t> kept_birth_;
+    KeptField<std::int32_t> kept_neighbours_;
     KeptField<std::uint8_t> kept_fixed_;
     decltype(Snapshot::mirrors) mirrors_;
 };

@@ -47,7 +47,7 @@ bool tiles_pay(const Session& session) {
 
 bool caches_hold(const DeviceInfo& device, double bytes) {
     constexpr double of_a_thread = 1'500'000;  // of its second level, much of it
-    return bytes < of_a_thread * device.compute_units;
+    return bytes < of_a_thread * static_cast<double>(device.running_units());
 }
 
 bool streaming_pays(const Experiment& experiment, const std::vector<bool>& active, std::uint64_t iteration,
@@ -81,7 +81,7 @@ LaunchShape shared_shape(const Session& session, const Grid& grid, std::uint64_t
         shape.band = grid.rows;
         return shape;
     }
-    const std::size_t strips = std::min<std::size_t>(session.info().compute_units, grid.cells() / cells_a_strip);
+    const std::size_t strips = std::min<std::size_t>(session.info().running_units(), grid.cells() / cells_a_strip);
     shape.band = divided(grid.rows, std::clamp<std::size_t>(strips, 1, grid.rows));
     shape.bands = divided(grid.rows, shape.band);
     return shape;

@@ -3,6 +3,7 @@
 
 #include "core/error.hpp"
 #include "core/experiment.hpp"
+#include "core/subnormal.hpp"
 #include "opencl/cl_error.hpp"
 
 #include <fmt/format.h>
@@ -21,9 +22,9 @@ template <class T>
 void upload(const Session& session, std::span<const double> x, std::span<const double> y, std::size_t pitch,
             const cl::Buffer& positions) {
     std::vector<T> planes(2 * pitch, T(0));
-    std::ranges::transform(x, planes.begin(), [](double value) { return static_cast<T>(value); });
+    std::ranges::transform(x, planes.begin(), [](double value) { return in_precision<T>(value); });
     std::ranges::transform(y, planes.begin() + static_cast<std::ptrdiff_t>(pitch),
-                           [](double value) { return static_cast<T>(value); });
+                           [](double value) { return in_precision<T>(value); });
     session.queue().enqueueWriteBuffer(positions, CL_TRUE, 0, planes.size() * sizeof(T), planes.data());
 }
 

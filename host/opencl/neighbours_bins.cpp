@@ -21,7 +21,8 @@ constexpr std::size_t most_scanners = 256;
 std::string neighbours_source(std::size_t width) {
     Source source;
     source.text(fmt::format("#define PELAGE_WIDTH {}\n", width));
-    for (const char* file : {"prelude.cl", "scan.cl", "sort.cl", "neighbours_bins.cl", "neighbours_lists.cl"}) {
+    for (const char* file :
+         {"prelude.cl", "scan.cl", "sort.cl", "neighbours_bins.cl", "list.cl", "neighbours_lists.cl"}) {
         source.file(file);
     }
     return source.str();
@@ -43,6 +44,12 @@ NeighbourTuning NeighbourTuning::of(const Session& session) {
     }
     tuning.group = std::clamp<std::size_t>(session.info().max_work_group, 1, tuning.group);
     return tuning;
+}
+
+double rounded_square(const Session& session, double radius) {
+    if (session.is_double()) return radius * radius;
+    const auto rounded = static_cast<float>(radius);
+    return static_cast<double>(rounded * rounded);
 }
 
 void DeviceLists::reserve(const Session& session, std::size_t at_least, int entries_each) {
@@ -154,12 +161,9 @@ void NeighbourBins::gather(const cl::Buffer& positions, int pitch, int points, c
 
 void NeighbourBins::find(const cl::Buffer& positions, int pitch, const cl::Buffer& ids, int points, double radius,
                          DeviceLists& lists) {
-    const double square = session_.is_double()
-                              ? radius * radius
-                              : static_cast<double>(static_cast<float>(radius) * static_cast<float>(radius));
     Arguments(session_, lists_)
-        .add(positions, pitch, ids, starts_, points, grid_, Scalar{square}, lists.capacity, lists.lengths,
-             lists.entries, lists.longest);
+        .add(positions, pitch, ids, starts_, points, grid_, Scalar{rounded_square(session_, radius)}, lists.capacity,
+             lists.lengths, lists.entries, lists.longest);
     const std::size_t items = (static_cast<std::size_t>(points) + 15) / 16 * 16;
     launch(session_, lists_, items, tuning_.group);
 }

@@ -19,7 +19,7 @@ struct NeighbourTuning {
     static NeighbourTuning of(const Session&);
 };
 
-// Neighbour lists of points in physical order; layout in kernels/neighbours_lists.cl.
+// Neighbour lists of points in physical order; layout in kernels/list.cl.
 struct DeviceLists {
     cl::Buffer lengths;  // int, one a point
     cl::Buffer entries;  // int, blocks of 16 points x capacity
@@ -30,6 +30,9 @@ struct DeviceLists {
     // Makes room. Contents are lost. Throws Error when the device has not that much memory.
     void reserve(const Session&, std::size_t at_least, int entries_each);
 };
+
+// radius * radius in the session's precision, rounded once.
+double rounded_square(const Session&, double radius);
 
 class NeighbourBins {
 public:
@@ -49,7 +52,7 @@ public:
     void gather(const cl::Buffer& positions, int pitch, int points, const cl::Buffer& sorted);
 
     // Finds the lists of the points just sorted, now in that order: all others nearer than `radius`, strictly,
-    // ascending by ids[place]. radius * radius is rounded once to the session's precision. There must be 32 places
+    // ascending by ids[place]. There must be 32 places
     // more than points in each plane. `longest` is not reset.
     void find(const cl::Buffer& positions, int pitch, const cl::Buffer& ids, int points, double radius,
               DeviceLists& lists);

@@ -1,6 +1,7 @@
 // Kernel arguments and launches in one line each.
 #pragma once
 
+#include "core/subnormal.hpp"
 #include "opencl/cl.hpp"
 #include "opencl/session.hpp"
 
@@ -31,7 +32,7 @@ private:
         if (session_.is_double()) {
             kernel_.setArg(next_++, static_cast<cl_double>(scalar.value));
         } else {
-            kernel_.setArg(next_++, static_cast<cl_float>(scalar.value));
+            kernel_.setArg(next_++, in_precision<cl_float>(scalar.value));
         }
     }
     void set(const cl::Buffer& buffer) { kernel_.setArg(next_++, buffer); }

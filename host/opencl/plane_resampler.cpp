@@ -1,6 +1,7 @@
 // See plane_resampler.hpp.
 #include "opencl/plane_resampler.hpp"
 
+#include "core/subnormal.hpp"
 #include "opencl/program.hpp"
 
 #include <algorithm>
@@ -38,7 +39,7 @@ cl::Buffer PlaneResampler::scalars(const std::vector<double>& values) const {
         session_.queue().enqueueWriteBuffer(buffer, CL_TRUE, 0, bytes, values.data());
     } else {
         std::vector<float> singles(values.size());
-        std::transform(values.begin(), values.end(), singles.begin(), [](double v) { return static_cast<float>(v); });
+        std::transform(values.begin(), values.end(), singles.begin(), in_precision<float>);
         session_.queue().enqueueWriteBuffer(buffer, CL_TRUE, 0, bytes, singles.data());
     }
     return buffer;

@@ -1,10 +1,12 @@
 // See planes.hpp.
 #include "opencl/planes.hpp"
 
+#include "core/subnormal.hpp"
 #include "opencl/cl_error.hpp"
 #include "opencl/program.hpp"
 
 #include <algorithm>
+#include <type_traits>
 
 namespace pelage {
 
@@ -32,7 +34,7 @@ void PlaneExpander::prepare(const Insertion& insertion) {
 }
 
 void PlaneExpander::apply(const cl::Buffer& from, const cl::Buffer& to, const Grid& grid, std::size_t planes,
-                          bool integers, std::optional<std::int32_t> birth) {
+                          bool integers, std::optional<std::uint32_t> birth) {
     const Grid after = grid.grown(by_column_);
     cl::Kernel& kernel = integers ? integers_ : scalars_;
     if (kernel() == nullptr) kernel = expand_kernel(session_, integers ? "int" : "scalar");
@@ -149,6 +151,12 @@ void Planes::regrow(const Grid& after, const std::function<void(const cl::Buffer
 
 namespace {
 
+template <class Element, class V>
+Element element_of(V value) {
+    if constexpr (std::is_floating_point_v<Element>) return in_precision<Element>(static_cast<double>(value));
+    return static_cast<Element>(value);
+}
+
 template <class V, class Element>
 std::vector<Element> padded(const Grid& grid, const std::vector<std::vector<V>>& values) {
     std::vector<Element> elements(16 + values.size() * grid.plane(), Element{0});
@@ -156,7 +164,7 @@ std::vector<Element> padded(const Grid& grid, const std::vector<std::vector<V>>&
         for (std::size_t row = 0; row < grid.rows; ++row) {
             const V* from = values[plane].data() + row * grid.columns;
             std::transform(from, from + grid.columns, elements.data() + cell_place(grid, plane, row),
-                           [](V value) { return static_cast<Element>(value); });
+                           element_of<Element, V>);
         }
     }
     return elements;
@@ -221,7 +229,9 @@ void Planes::fill(const Grid& grid, std::size_t plane, double value) {
 
 template void Planes::upload(const Grid&, const std::vector<std::vector<double>>&);
 template void Planes::upload(const Grid&, const std::vector<std::vector<std::int32_t>>&);
+template void Planes::upload(const Grid&, const std::vector<std::vector<std::uint32_t>>&);
 template std::vector<std::vector<double>> Planes::download(const Grid&) const;
 template std::vector<std::vector<std::int32_t>> Planes::download(const Grid&) const;
+template std::vector<std::vector<std::uint32_t>> Planes::download(const Grid&) const;
 
 }  // namespace pelage

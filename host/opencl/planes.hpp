@@ -33,7 +33,7 @@ public:
     // `birth` the planes hold births, and that is the duplicates'.
     void prepare(const Insertion&);
     void apply(const cl::Buffer& from, const cl::Buffer& to, const Grid&, std::size_t planes, bool integers,
-               std::optional<std::int32_t> birth);
+               std::optional<std::uint32_t> birth);
 
 private:
     const Session& session_;

@@ -4,6 +4,8 @@
 #include "opencl/cache.hpp"
 #include "opencl/cl_error.hpp"
 #include "opencl/kernel_sources.hpp"
+#include "opencl/pocl.hpp"
+#include "opencl/pocl_programs.hpp"
 
 #include <fmt/format.h>
 
@@ -129,9 +131,13 @@ Source& Source::text(const std::string& emitted) {
 cl::Program build_program(const Session& session, const std::string& source, const std::string& options) {
     return with_device(session.info().name, [&] {
         const DeviceInfo& info = session.info();
-        const bool kept_by_driver = info.platform == "Portable Computing Language" && !session.options().cache_twice;
-        if (!session.options().use_cache || kept_by_driver) return from_source(session, source, options);
+        if (!session.options().use_cache) return from_source(session, source, options);
         const CacheKey key{source, options, info.name, info.version, info.driver, info.platform_version};
+        if (info.platform == pocl_platform && !session.options().cache_twice) {
+            cl::Program program;
+            build_with_kept(session, key, [&] { program = from_source(session, source, options); });
+            return program;
+        }
         if (auto program = from_cache(session, key, options)) return std::move(*program);
         cl::Program program = from_source(session, source, options);
         keep_binary(program, key);

@@ -1,7 +1,9 @@
 // See session.hpp.
 #include "opencl/session.hpp"
 
+#include "core/subnormal.hpp"
 #include "opencl/cl_error.hpp"
+#include "opencl/pocl_programs.hpp"
 #include "opencl/program.hpp"
 
 #include <fmt/format.h>
@@ -12,6 +14,7 @@ namespace pelage {
 
 Session::Session(DeviceInfo info, OpenclOptions options) : info_(std::move(info)), options_(std::move(options)) {
     with_device(info_.name, [&] {
+        const SubnormalsAreZero scope(!is_double());  // see list_devices()
         device_ = cl::Device(static_cast<cl_device_id>(info_.id), true);
         context_ = cl::Context(device_);
         queue_ = cl::CommandQueue(context_, device_);
@@ -19,9 +22,15 @@ Session::Session(DeviceInfo info, OpenclOptions options) : info_(std::move(info)
     });
 }
 
+Session::~Session() {
+    // Launches that nobody waited for may still be compiled: a process that ends meanwhile is aborted.
+    if (queue_() != nullptr) clFinish(queue_());
+    if (options_.use_cache) keep_compiled(*this);
+}
+
 std::string Session::build_options() const {
     std::string text = "-cl-std=CL1.2";
-    if (is_double()) text += " -DPELAGE_DOUBLE";
+    text += is_double() ? " -DPELAGE_DOUBLE" : " -cl-denorms-are-zero";
     if (options_.fast) return text + " -DPELAGE_FAST -cl-fast-relaxed-math";
     if (info_.correctly_rounded_divide_sqrt) text += " -cl-fp32-correctly-rounded-divide-sqrt";
     return text;

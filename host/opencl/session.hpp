@@ -14,6 +14,9 @@ namespace pelage {
 class Session {
 public:
     Session(DeviceInfo info, OpenclOptions options);
+    ~Session();  // waits for all launches
+    Session(const Session&) = delete;
+    Session& operator=(const Session&) = delete;
 
     const DeviceInfo& info() const { return info_; }
     const OpenclOptions& options() const { return options_; }

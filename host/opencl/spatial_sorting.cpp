@@ -35,11 +35,7 @@ int side_for(int cells) {
 
 std::string matrix_source() {
     Source source;
-    source.file("prelude.cl")
-        .file("scan.cl")
-        .file("neighbours_bins.cl")
-        .file("neighbours_lists.cl")
-        .file("spatial_sorting.cl");
+    source.file("prelude.cl").file("scan.cl").file("list.cl").file("spatial_sorting.cl");
     return source.str();
 }
 

@@ -60,7 +60,8 @@ private:
             trial.emplace();
             trial->candidate = candidate;
             trial->verdict = Verdict::hung;
-            trial->message = fmt::format("did not come to an end within {:g} seconds", budget_.candidate);
+            trial->message = fmt::format("did not come to an end within {:g} {}", budget_.candidate,
+                                         budget_.candidate == 1 ? "second" : "seconds");
         }
         const Trial* before = record_.find(candidate);
         if (before != nullptr && before->verdict == Verdict::good && trial->verdict == Verdict::good) {

@@ -6,6 +6,7 @@
 
 #include <array>
 #include <limits>
+#include <utility>
 
 namespace pelage::verify {
 
@@ -60,11 +61,39 @@ void special_values(Snapshot& state) {
     }
 }
 
+constexpr double subnormal = 0x1p-130;
+
+// Subnormal numbers are 0, in and out: as numbers of rules, as start values (of chemical Z, which nothing changes,
+// too), as differences, as products.
+Experiment near_zero(Lab lab) {
+    const auto u = lab.chemical("U", {1, 0.5}, {0.25, 0}, unbounded);
+    const auto v = lab.chemical("V", {1, 0.5}, {0.1, 0}, {subnormal, 1});
+    const auto w = lab.chemical("W", {1, 0.5}, {subnormal, 0}, unbounded);
+    const auto z = lab.chemical("Z", {1, 0.5}, {0, 0}, {-infinite, 1});
+    lab.rule(react(Model::gray_scott, u, v, {0, 0.06}, 0.1));
+    lab.rule(change(v, quantity(Quantity::concentration, w)));
+    lab.rule(change(w, number(0x1p-120)), compare(number(subnormal), Comparison::less_equal, number(0)));
+    lab.rule(Set{Target::concentration, w, number(-subnormal)},
+             compare(quantity(Quantity::concentration, z), Comparison::equal, number(subnormal)));
+    return lab.time_step(0.5).done();
+}
+
+// While it grows by interpolation.
+Experiment grown_near_zero(Lab lab) {
+    Expand growth;
+    growth.columns = growth.rows = 1;
+    growth.interpolation = Interpolation::bicubic;
+    lab.rule(growth).every = 3;
+    return near_zero(std::move(lab));
+}
+
+// About the smallest normal number: one in four is subnormal.
 void tiny_values(Snapshot& state) {
-    constexpr double step = static_cast<double>(std::numeric_limits<float>::denorm_min());
-    for (auto& plane : state.conc) {
-        for (std::size_t cell = 0; cell < plane.size(); ++cell) {
-            plane[cell] = step * static_cast<double>((cell * 2654435761u) % 1'000'003);
+    constexpr double step = 0x1p-143;
+    for (std::size_t chemical = 0; chemical < state.conc.size(); ++chemical) {
+        for (std::size_t cell = 0; cell < state.cells(); ++cell) {
+            const std::size_t drawn = ((cell + 131 * chemical) * 2654435761u) % 1'000'003;
+            state.conc[chemical][cell] = step * (static_cast<double>(drawn) - 200'000.0);
         }
     }
 }
@@ -101,15 +130,21 @@ std::vector<Case> extreme_cases() {
          .iterations = 3,
          .touch = special_values},
         {.name = "values/denormal/fused",
-         .experiment = matrix(plain_arithmetic, Boundary::no_flux),
+         .experiment = matrix(near_zero, Boundary::no_flux),
          .sizes = sizes,
          .iterations = 20,
          .touch = tiny_values},
         {.name = "values/denormal/published",
-         .experiment = grid(plain_arithmetic),
+         .experiment = grid(near_zero),
          .sizes = sizes,
          .iterations = 20,
          .touch = tiny_values},
+        {.name = "values/denormal/grown",
+         .experiment = matrix(grown_near_zero, Boundary::wrap),
+         .sizes = sizes,
+         .iterations = 12,
+         .touch = tiny_values,
+         .grows = true},
         {.name = "sizes/many-rows", .experiment = matrix(spreading, Boundary::wrap), .sizes = large, .iterations = 3}};
 }
 

@@ -4,9 +4,14 @@
 
 #include <fmt/format.h>
 
+#include <cmath>
+
 namespace pelage::verify {
 
 namespace {
+
+constexpr std::uint64_t far_iteration = largest_iteration - 60;
+constexpr double late_from = static_cast<double>(far_iteration) + 2;
 
 Lab plain(Size size, Boundary boundary = Boundary::wrap) { return Lab::matrix(size.columns, size.rows, boundary); }
 
@@ -33,9 +38,51 @@ Experiment quantities(Lab lab) {
     return lab.done();
 }
 
-void quantities_touch(Snapshot& state) {
+// Comparisons of whole numbers where float no longer tells them apart: each of them, with a sum of powers of two that
+// says which held.
+Experiment whole_numbers(Lab lab) {
+    const Comparison all[] = {Comparison::equal,      Comparison::not_equal, Comparison::less,
+                              Comparison::less_equal, Comparison::greater,   Comparison::greater_equal};
+    const auto store = [&](const char* name) { return lab.chemical(name, {1, 1}, {0.05, 0}, unbounded); };
+    const auto tell = [&](std::size_t chemical, int nth, const Condition& condition) {
+        lab.rule(change(chemical, number(std::ldexp(1.0, -nth))), condition);
+    };
+    const std::size_t stores[] = {store("I"), store("A"), store("B"), store("P")};
+    const Operand iteration = quantity(Quantity::iteration), age = quantity(Quantity::age);
+    const Operand birth = quantity(Quantity::birth), row = quantity(Quantity::row);
+    int nth = 0;
+    for (const Comparison comparison : all) {
+        ++nth;
+        const double late = static_cast<double>(far_iteration) + 5;
+        tell(stores[0], nth, compare(iteration, comparison, number(late)));
+        tell(stores[1], nth, compare(number(16777217), comparison, age));
+        tell(stores[1], nth + 6, compare(age, comparison, number(2147483648.5)));
+        tell(stores[2], nth, compare(birth, comparison, number(2147483649)));
+        tell(stores[2], nth + 6, compare(birth, comparison, age));
+        tell(stores[3], nth, compare(row, comparison, quantity(Quantity::column)));
+        tell(stores[3], nth + 6, compare(quantity(Quantity::neighbours), comparison, number(4.5)));
+    }
+    tell(stores[0], 7, Within{iteration, number(late_from), number(late_from + 2)});
+    tell(stores[1], 13, Within{age, birth, number(4294967294)});
+    tell(stores[2], 13, Within{number(16777217), birth, quantity(Quantity::random)});
+    tell(stores[3], 13, compare(quantity(Quantity::rows), Comparison::less, quantity(Quantity::columns)));
+    return lab.done();
+}
+
+void whole_numbers_touch(Snapshot& state) {
+    constexpr std::uint32_t ages[] = {0, 16777215, 2147483646, 4294967000u, 2147483570, 70000};
+    state.iteration = far_iteration;
     for (std::size_t cell = 0; cell < state.cells(); ++cell) {
-        state.birth[cell] = -static_cast<std::int32_t>(cell * 7 % 13);
+        const auto away = static_cast<std::uint32_t>(cell % 5);
+        state.birth[cell] = static_cast<std::uint32_t>(far_iteration) - ages[cell % 6] - away;
+        state.neighbours[cell] = static_cast<std::int32_t>(cell % 6);
+    }
+}
+
+void quantities_touch(Snapshot& state) {
+    state.iteration = 13;
+    for (std::size_t cell = 0; cell < state.cells(); ++cell) {
+        state.birth[cell] = 13 - static_cast<std::uint32_t>(cell * 7 % 13);
         state.neighbours[cell] = static_cast<std::int32_t>(cell % 6);
         state.fixed[cell] = cell % 3 == 0 ? 1 : 0;
         state.mappings[0][cell] = static_cast<double>(cell % 11) * 0.125;
@@ -175,8 +222,9 @@ Experiment growing_plain(Lab lab, Expand growth) {
 }
 
 void growing_touch(Snapshot& state) {
+    state.iteration = 9;
     for (std::size_t cell = 0; cell < state.cells(); ++cell) {
-        state.birth[cell] = -static_cast<std::int32_t>(cell % 9);
+        state.birth[cell] = 9 - static_cast<std::uint32_t>(cell % 9);
         state.neighbours[cell] = static_cast<std::int32_t>(cell % 6);
         state.fixed[cell] = cell % 4 == 0 ? 1 : 0;
     }
@@ -196,6 +244,8 @@ std::vector<Case> rule_cases() {
     return {
         {"rules/quantities/fused", fused(quantities), sizes, 40, quantities_touch, false, true},
         {"rules/quantities/published", published(quantities), sizes, 40, quantities_touch, false, true},
+        {"rules/whole-numbers/fused", fused(whole_numbers), sizes, 40, whole_numbers_touch},
+        {"rules/whole-numbers/published", published(whole_numbers), sizes, 40, whole_numbers_touch},
         {"rules/draws/fused", fused(drawn(-987654321987654321)), sizes, 60, {}},
         {"rules/draws/published", published(drawn(7)), sizes, 60, {}},
         {"rules/chains/fused", fused(chains), sizes, 60, {}},

@@ -10,6 +10,7 @@
 
 #include <algorithm>
 #include <array>
+#include <functional>
 #include <limits>
 #include <string_view>
 
@@ -55,24 +56,31 @@ bool moved_on(const Snapshot& before, const Snapshot& after) {
 }
 
 std::vector<Setting> settings_of(const CellCase& one, const Place& place) {
-    std::vector<Setting> settings{{}, {}};  // twice
-    const Setting grouped{.work_group = std::min<std::size_t>(5, place.device().max_work_group)};
-    if (place.full() || one.name == "cells/divide-in-several-ways") settings.push_back(grouped);
+    std::vector<Setting> settings{{}, {.fusion = Fusion::shared}, {}};  // the first twice
+    const std::size_t group = std::min<std::size_t>(5, place.device().max_work_group);
+    if (place.full() || one.name == "cells/divide-in-several-ways") {
+        settings.push_back({.work_group = group});
+        settings.push_back({.fusion = Fusion::shared, .work_group = group});
+    }
     if (!place.full()) return settings;
     settings.push_back({.width = 1});
-    if (place.device().fp64) settings.push_back({.precision = Precision::double_});
+    settings.push_back({.fusion = Fusion::shared, .width = 1});
+    if (!place.device().fp64) return settings;
+    settings.push_back({.precision = Precision::double_});
+    settings.push_back({.precision = Precision::double_, .fusion = Fusion::shared});
     return settings;
 }
 
-// `pairs`: cells whose values are averaged after each step.
-Outcome check_cells(const CellCase& one, Place& place, const std::vector<Setting>& settings,
-                    const decltype(Snapshot::mirrors)& pairs = {}) {
+using Touch = std::function<void(Snapshot&)>;
+
+// `touch` changes the start of the experiment.
+Outcome check_cells(const CellCase& one, Place& place, const std::vector<Setting>& settings, const Touch& touch = {}) {
     Outcome outcome;
     const Experiment experiment = parse_experiment(one.text(), one.name, ".");
     Snapshot initial = initial_state(experiment);
-    initial.mirrors = pairs;
+    if (touch) touch(initial);
     const std::uint64_t last = place.small() ? small_iterations : iterations;
-    const std::size_t count = place.small() ? 1 : settings.size();
+    const std::size_t count = std::min<std::size_t>(place.small() ? 2 : settings.size(), settings.size());
     std::vector<Snapshot> states{initial};
     for (std::size_t i = 0; i < count; ++i) {
         const auto expected = by_reference(experiment, initial, settings[i], last);
@@ -81,7 +89,8 @@ Outcome check_cells(const CellCase& one, Place& place, const std::vector<Setting
             outcome.verdict = Verdict::mistrusted;
             outcome.message = "the reference ends as it began";
         }
-        follow(outcome, expected, experiment, initial, place, settings[i], i == 1 ? "again" : settings[i].text());
+        follow(outcome, expected, experiment, initial, place, settings[i],
+               settings[i] == settings[0] && i > 0 ? "again" : settings[i].text());
     }
     if (outcome.tally.equal()) return outcome;
     if (!rounds_exactly(place, {})) {
@@ -97,6 +106,37 @@ const CellCase mirrored{"cells/mirror-pairs",
                         "rule always react A B scale 0.01 turing alpha 16 beta 12\nrule probability 0.02 divide\n"};
 
 const CellCase& case_named(std::string_view name) { return *std::ranges::find(cell_cases(), name, &CellCase::name); }
+
+// Cells of all ages, so late that neither int nor float holds them.
+const CellCase late{"cells/last-iterations",
+                    "rule if AGE > 2147483648.5 change A conc 0.25\nrule if BIRTH == 2147483649 change B conc 0.5\n"
+                    "rule if BIRTH < AGE change C conc 0.125\nrule if ITERATION == 4294967255 change B conc 1\n"
+                    "rule if AGE == 2 divide direction 45\n"};
+
+void make_late(Snapshot& state) {
+    state.iteration = largest_iteration - iterations;
+    for (std::size_t cell = 0; cell < state.cells(); ++cell) {
+        const std::uint32_t births[] = {0, 2147483649u, static_cast<std::uint32_t>(state.iteration)};
+        state.birth[cell] = births[cell % 3];
+    }
+}
+
+// Cells whose values are averaged after each step.
+void pair_cells(Snapshot& state) { state.mirrors = {{0, 12}, {1, 11}, {11, 2}, {100, 5}, {5, 12}}; }
+
+// Subnormal numbers, in and out: values about the smallest normal number, some of them below it.
+Outcome near_zero(Place& place) {
+    const std::string& why_not = place.subnormal_difference();
+    if (!why_not.empty()) return {Verdict::skipped, {}, why_not, {}};
+    const CellCase one{"cells/near-zero",
+                       "rule always react A B scale 0.1 gray-scott f 0 k 0.06\nrule if C conc < 1e-40 polarize A conc\n"
+                       "rule always change C conc -1e-39\n"};
+    return check_cells(one, place, {{}}, [](Snapshot& state) {
+        for (auto& plane : state.conc) {
+            for (double& value : plane) value = (value - 1) * 0x1p-126;
+        }
+    });
+}
 
 Outcome finds_what_is_not_finite(Place& place) {
     Outcome outcome;
@@ -125,8 +165,10 @@ std::vector<Check> cell_checks() {
         checks.push_back({one.name, one.divides() ? "division" : "cell step", quick(one.name), run});
     }
     checks.push_back({"cells/mirror-pairs", "cell step", true, [](Place& place) {
-                          return check_cells(mirrored, place, {{}}, {{0, 12}, {1, 11}, {11, 2}, {100, 5}, {5, 12}});
+                          return check_cells(mirrored, place, {{}, {.fusion = Fusion::shared}}, pair_cells);
                       }});
+    checks.push_back({late.name, "cell step", true,
+                      [](Place& place) { return check_cells(late, place, settings_of(late, place), make_late); }});
     checks.push_back({"cells/spatial-sorting", "neighbour search", true, [](Place& place) {
                           return check_cells(mirrored, place, {{.search = NeighbourSearch::spatial_sorting}});
                       }});
@@ -134,6 +176,8 @@ std::vector<Check> cell_checks() {
                           return check_cells(case_named("cells/at-one-place"), place,
                                              {{.search = NeighbourSearch::spatial_sorting}});
                       }});
+
+    checks.push_back({"cells/near-zero", "special values", true, near_zero});
     checks.push_back({"cells/not-finite", "not finite", true, finds_what_is_not_finite});
     return checks;
 }

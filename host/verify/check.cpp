@@ -3,6 +3,7 @@
 
 #include "core/error.hpp"
 #include "opencl/cl_error.hpp"
+#include "opencl/subnormal.hpp"
 
 #include <fmt/format.h>
 
@@ -87,6 +88,11 @@ std::uint64_t Place::loop_limit() {
     });
     loop_limit_ = turns == long_loop ? 0 : turns;
     return *loop_limit_;
+}
+
+const std::string& Place::subnormal_difference() {
+    if (!subnormal_difference_) subnormal_difference_ = pelage::subnormal_difference(session());
+    return *subnormal_difference_;
 }
 
 const char* word(Verdict verdict) {

@@ -47,6 +47,9 @@ public:
     // Turns that a loop of one work-item may take before the device ends it silently; 0: no end was met in 70,000.
     std::uint64_t loop_limit();
 
+    // Why results may differ from the reference's where numbers are subnormal; empty: they may not.
+    const std::string& subnormal_difference();
+
 private:
     DeviceInfo device_;
     std::uint64_t seed_;
@@ -55,6 +58,7 @@ private:
     std::map<Setting, std::unique_ptr<OpenclBackend>> backends_;
     std::map<Precision, std::unique_ptr<Session>> sessions_;
     std::optional<std::uint64_t> loop_limit_;
+    std::optional<std::string> subnormal_difference_;
 };
 
 enum class Verdict { passed, failed, mistrusted, skipped };

@@ -1,6 +1,8 @@
 // See compare.hpp.
 #include "verify/compare.hpp"
 
+#include "core/counted.hpp"
+
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -35,7 +37,8 @@ public:
     template <class V>
     void arrays(const std::string& name, const std::vector<V>& expected, const std::vector<V>& found) {
         if (expected.size() != found.size()) {
-            lines.push_back(fmt::format("{}: {} elements expected, {} found", name, expected.size(), found.size()));
+            lines.push_back(
+                fmt::format("{}: {} expected, {} found", name, counted(expected.size(), "element"), found.size()));
             return;
         }
         std::size_t count = 0;

@@ -66,7 +66,7 @@ EqualRun run_both(const Experiment& experiment, Backend& expected, Backend& foun
     std::uint64_t reached = 0;
     try {
         Dice dice(seed);
-        const Snapshot initial = initial_state(experiment);
+        const Snapshot initial = initial_state(experiment, expected.precision());
         const std::uint64_t end = experiment.last_iteration();
         const std::unique_ptr<Tissue> a = expected.make_tissue(experiment, initial);
         std::unique_ptr<Tissue> b = found.make_tissue(experiment, initial);

@@ -26,7 +26,8 @@ constexpr std::uint64_t quick_iterations = 50;
 constexpr std::size_t many_sizes = 10;
 
 // The cases that the quick form runs: each kernel path once, in the fewest programs.
-constexpr std::array<std::string_view, 20> quick_cases{"diffusion/nine-point/no-flux",
+constexpr std::array<std::string_view, 22> quick_cases{"rules/whole-numbers/fused",
+                                                       "diffusion/nine-point/no-flux",
                                                        "diffusion/nine-point/wrap",
                                                        "diffusion/nine-point/absorbing",
                                                        "diffusion/moore/wrap",
@@ -45,6 +46,7 @@ constexpr std::array<std::string_view, 20> quick_cases{"diffusion/nine-point/no-
                                                        "rules/chains/published",
                                                        "growth/plain/absorbing",
                                                        "growth/by/wrap",
+                                                       "values/denormal/published",
                                                        "sizes/many-rows"};
 // Of these also with a second work-group size, and fused.
 constexpr std::array<std::string_view, 2> quick_groups{"diffusion/nine-point/no-flux", "diffusion/published/open"};
@@ -76,14 +78,10 @@ struct State {
     std::vector<Snapshot> after;  // each stride, by the reference
 };
 
-Snapshot first_state(const Case& one, const Experiment& experiment) {
-    Snapshot state = initial_state(experiment);
+Snapshot first_state(const Case& one, const Experiment& experiment, Precision precision) {
+    Snapshot state = initial_state(experiment, precision);
     if (one.touch) one.touch(state);
     return state;
-}
-
-bool keeps_denormals(Place& place) {
-    return (place.session().device().getInfo<CL_DEVICE_SINGLE_FP_CONFIG>() & CL_FP_DENORM) != 0;
 }
 
 class LatticeCheck {
@@ -92,9 +90,9 @@ public:
     LatticeCheck(const Case& one, Place& place, bool fewer = false) : case_(one), place_(place), fewer_(fewer) {}
 
     Outcome run(const std::vector<Setting>& settings) {
-        if (case_.name.starts_with("values/") && !keeps_denormals(place_)) {
+        if (case_.name.starts_with("values/") && !place_.subnormal_difference().empty()) {
             outcome_.verdict = Verdict::skipped;
-            outcome_.message = "the device has no denormal numbers";
+            outcome_.message = place_.subnormal_difference();
             return std::move(outcome_);
         }
         run_sizes(settings);
@@ -158,7 +156,7 @@ private:
     State by_reference(const Experiment& experiment, Precision precision) const {
         const auto reference = reference_backend(precision);
         State state;
-        state.before = first_state(case_, experiment);
+        state.before = first_state(case_, experiment, precision);
         const auto tissue = reference->make_tissue(experiment, state.before);
         const std::uint64_t most = place_.small()  ? small_iterations
                                    : place_.full() ? case_.iterations

@@ -17,8 +17,15 @@ std::string polarity(Draft& draft) {
     return "polarity " + draft.deviated(degrees, draft.dice.real(0.0, 180.0));
 }
 
-std::string concentration(Draft& draft, const ChemicalDraft& chemical) {
-    if (draft.limits.extremes && draft.dice.below(100) == 0) return "conc " + draft.value(0.0, 5.0);
+std::string concentration(Draft& draft, ChemicalDraft& chemical) {
+    if (draft.limits.extremes && draft.dice.below(100) == 0) {
+        const std::string extreme = draft.value(0.0, 5.0);
+        const double value = std::stod(extreme);
+        if (value >= chemical.floor && value <= chemical.limit) {
+            chemical.pinned = true;
+            return "conc " + extreme;
+        }
+    }
     const std::string middle = "conc " + draft.dice.number(chemical.conc);
     return draft.dice.chance(90) ? words({middle, "dev", draft.dice.number(chemical.spread)}) : middle;
 }
@@ -35,7 +42,7 @@ std::string rate(Draft& draft, ChemicalDraft& chemical) {
             value = most;
             break;
         default:
-            value = -0.05 * value;  // runs the wrong way, slowly
+            value = draft.lattice() ? 0.0 : -0.05 * value;  // runs the wrong way, slowly
     }
     const bool uneven = value > 0.0 && dice.chance(30);
     chemical.rate = std::max(chemical.rate, value);
@@ -43,9 +50,10 @@ std::string rate(Draft& draft, ChemicalDraft& chemical) {
     return "diff " + (uneven ? draft.deviated(value, deviation) : dice.number(value));
 }
 
-void use_chemical(Draft& draft, ChemicalDraft& chemical) {
+// The first time with a concentration, for 0 need not lie within the bounds.
+void use_chemical(Draft& draft, ChemicalDraft& chemical, bool first) {
     std::vector<std::string> options;
-    if (draft.dice.chance(95)) options.push_back(concentration(draft, chemical));
+    if (draft.dice.chance(95) || first) options.push_back(concentration(draft, chemical));
     if (draft.dice.chance(88)) options.push_back(rate(draft, chemical));
     draft.line(words({"use chemical", chemical.name, draft.shuffled(options)}));
 }
@@ -131,7 +139,7 @@ void draw_seed(Draft& draft) {
 }
 
 void draw_uses(Draft& draft) {
-    for (ChemicalDraft& chemical : draft.chemicals) use_chemical(draft, chemical);
+    for (ChemicalDraft& chemical : draft.chemicals) use_chemical(draft, chemical, true);
     if (draft.dice.chance(50)) draft.line("use " + polarity(draft));
 }
 
@@ -139,7 +147,7 @@ void create_cells(Draft& draft) {
     const std::size_t stretches = draft.dice.from_to(1, 4);
     for (std::size_t i = 0; i < stretches && draft.cells < draft.limits.cells; ++i) {
         if (i > 0 && draft.dice.chance(50)) {
-            use_chemical(draft, draft.any_chemical());
+            use_chemical(draft, draft.any_chemical(), false);
             if (draft.dice.chance(40)) draft.line("use " + polarity(draft));
             if (draft.dice.chance(15)) draw_seed(draft);
         }

@@ -18,7 +18,7 @@ constexpr std::size_t full_count = 16;
 Outcome follows(Place& place, std::uint64_t seed) {
     Outcome outcome;
     RandomLimits limits;
-    limits.extremes = (place.session().device().getInfo<CL_DEVICE_SINGLE_FP_CONFIG>() & CL_FP_DENORM) != 0;
+    limits.extremes = place.subnormal_difference().empty();
     const std::string text = random_experiment(seed, limits);
     const Experiment experiment = parse_experiment(text, fmt::format("random experiment {}", seed), ".");
     const Snapshot initial = initial_state(experiment);

@@ -14,6 +14,7 @@ constexpr double infinity = std::numeric_limits<double>::infinity();
 
 // New bounds about what the chemical may hold now.
 void change_bounds(Draft& draft, ChemicalDraft& chemical) {
+    if (chemical.pinned) return;
     Dice& dice = draft.dice;
     std::vector<std::string> options;
     if (dice.chance(60)) {
@@ -84,12 +85,24 @@ std::string colour_stops(Draft& draft) {
     return text + "\"";
 }
 
+std::string range_word(Draft& draft) {
+    Dice& dice = draft.dice;
+    if (dice.chance(25)) return "range each";
+    return words({"range", dice.number(-1.0, 1.0), dice.number(1.5, 9.0)});
+}
+
+void draw_map(Draft& draft, const ChemicalDraft& chemical) {
+    Dice& dice = draft.dice;
+    if (dice.chance(50)) return draft.line(words({"output", chemical.name, "normal", dice.number(-3.0, 3.0)}));
+    std::vector<std::string> options{"height"};
+    if (dice.chance(40)) options.push_back(range_word(draft));
+    draft.line(words({"output", chemical.name, draft.shuffled(options)}));
+}
+
 void draw_output(Draft& draft, const ChemicalDraft& chemical) {
     Dice& dice = draft.dice;
     std::vector<std::string> options;
-    if (dice.chance(40)) {
-        options.push_back(words({"range", dice.number(-1.0, 1.0), dice.number(1.5, 9.0)}));
-    }
+    if (dice.chance(40)) options.push_back(range_word(draft));
     if (dice.chance(70))
         options.push_back("colormap " + (dice.chance(60) ? colormap_word(draft) : colour_stops(draft)));
     draft.line(words({"output", chemical.name, draft.shuffled(options)}));
@@ -132,6 +145,7 @@ void draw_pictures(Draft& draft) {
     if (dice.chance(15)) draw_slot(draft);
     const std::size_t outputs = dice.below(draft.chemicals.size() + 1);
     for (std::size_t i = 0; i < outputs; ++i) draw_output(draft, draft.chemicals[i]);
+    if (draft.lattice() && dice.chance(20)) draw_map(draft, draft.any_chemical());
     if (dice.chance(10)) {
         const std::size_t width = dice.from_to(1, 64);
         draft.line(fmt::format("texture size {} {}", width, dice.from_to(1, 64)));

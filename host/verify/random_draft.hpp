@@ -20,6 +20,7 @@ struct ChemicalDraft {
     double rate = 0.0;    // largest that cells start with
     double floor = 0.0;
     double limit = std::numeric_limits<double>::infinity();
+    bool pinned = false;  // its bounds stay: cells start far from conc
 };
 
 struct MappingDraft {

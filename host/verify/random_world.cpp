@@ -66,14 +66,20 @@ void draw_domain(Draft& draft) {
 
 // ---- chemicals
 
-std::string picture_option(Draft& draft, const RandomPicture& picture) {
+// Of values within the chemical's bounds, which stay where they are.
+std::string picture_option(Draft& draft, const RandomPicture& picture, ChemicalDraft& chemical) {
+    chemical.pinned = true;
+    const double low = std::max(chemical.floor, 0.0);
+    const double high = std::min(chemical.limit, chemical.conc + 2.0 * chemical.spread);
+    const bool plain = low == 0.0 && high >= 1.0;  // 0 to 1 as the picture has it will do
     std::string text = fmt::format("conc \"{}\"", picture.file);
     std::vector<std::string> more;
     if (!picture.channels.empty() && draft.dice.chance(70)) {
         more.push_back("channel " + picture.channels[draft.dice.below(picture.channels.size())]);
     }
-    if (draft.dice.chance(70)) {
-        more.push_back(words({"from", draft.dice.number(0.0, 1.0), "to", draft.dice.number(1.0, 5.0)}));
+    if (draft.dice.chance(70) || !plain) {
+        more.push_back(
+            words({"from", draft.dice.number(low, chemical.conc), "to", draft.dice.number(chemical.conc, high)}));
     }
     return words({text, draft.shuffled(more)});
 }
@@ -99,7 +105,7 @@ void define_chemical(Draft& draft, const std::string& name, const RandomPicture*
         options.emplace_back("floor none");
     }
     if (dice.chance(18)) options.emplace_back("anisotropic");
-    if (picture != nullptr && dice.chance(60)) options.push_back(picture_option(draft, *picture));
+    if (picture != nullptr && dice.chance(60)) options.push_back(picture_option(draft, *picture, chemical));
     draft.line(words({"define chemical", chemical.name, draft.shuffled(options)}));
     draft.chemicals.push_back(chemical);
 }

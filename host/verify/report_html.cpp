@@ -2,6 +2,8 @@
 #include "io/file_bytes.hpp"
 #include "verify/report.hpp"
 
+#include "core/counted.hpp"
+
 #include <fmt/format.h>
 
 #include <cstdint>
@@ -65,9 +67,9 @@ std::string base64(std::string_view bytes) {
 std::string badge(Verdict verdict) { return fmt::format("<span class=\"{0}\">{0}</span>", word(verdict)); }
 
 std::string sentence(const Summary& sum) {
-    return fmt::format("{} of {} cases passed, {} failed, {} mistrusted, {} skipped; {} cells compared, {} differ.",
-                       sum.passed, sum.cases, sum.failed, sum.mistrusted, sum.skipped, sum.cells_compared,
-                       sum.cells_differing);
+    return fmt::format("{} of {} passed, {} failed, {} mistrusted, {} skipped; {} compared, {}.", sum.passed,
+                       counted(sum.cases, "case"), sum.failed, sum.mistrusted, sum.skipped,
+                       counted(sum.cells_compared, "cell"), counted(sum.cells_differing, "differs", "differ"));
 }
 
 std::string cells(std::uint64_t compared, std::uint64_t differing, std::uint64_t ulp, double absolute,

@@ -3,6 +3,7 @@
 
 #include "core/forecast.hpp"
 #include "core/schedule.hpp"
+#include "opencl/cells_together.hpp"
 #include "opencl/lattice_step.hpp"
 #include "reference/backend.hpp"
 #include "verify/tally.hpp"
@@ -11,6 +12,7 @@
 
 #include <algorithm>
 #include <set>
+#include <variant>
 #include <vector>
 
 namespace pelage::verify {
@@ -71,6 +73,20 @@ std::vector<std::uint64_t> beginnings(const Experiment& experiment, std::uint64_
         if (seen.emplace(active_rules(experiment, at), &experiment.phase_at(at)).second) iterations.push_back(at);
     }
     return iterations;
+}
+
+// The forms of free cells' steps that a run may take: it changes over when a small tissue has grown.
+std::vector<Fusion> forms_of_cells(const OpenclOptions& options, const Experiment& experiment,
+                                   const Snapshot& initial) {
+    CellsOptions cells;
+    cells.search = options.neighbours;
+    if (options.fusion != Fusion::automatic || cells.approximate()) return {options.fusion};
+    const bool grows = std::ranges::any_of(
+        experiment.rules, [](const Rule& rule) { return std::holds_alternative<Divide>(rule.action); });
+    const DeviceInfo device = select_device(options.device);
+    if (!cells_step_together(device, Fusion::automatic, cells, initial.cells(), grows)) return {Fusion::never};
+    if (!grows) return {Fusion::shared};
+    return {Fusion::shared, Fusion::never};
 }
 
 // Whether a run may take a streamed program for the rules that act at `iteration`.
@@ -136,6 +152,7 @@ std::string self_test(const OpenclOptions& options, const Experiment& experiment
     for (const std::uint64_t iteration : beginnings(experiment, initial.iteration, last, options.variants)) {
         start.iteration = iteration;
         std::vector<Fusion> kinds{options.fusion};
+        if (!initial.lattice()) kinds = forms_of_cells(options, experiment, initial);
         if (may_stream(options, experiment, initial, iteration, last)) kinds.push_back(Fusion::always);
         for (const Fusion fusion : kinds) {
             OpenclOptions own = options;

@@ -37,7 +37,8 @@ TEST_CASE("Ctrl-C saves a checkpoint, and the command it prints ends in the bits
     const Folder folder;
     const std::string file = folder.write("it's spots.pex", test::spots);
     const auto [backend, iterations, signal] = GENERATE(
-        Case{"reference", "60000", SIGINT}, Case{"reference", "60000", SIGTERM}, Case{"opencl", "150000", SIGINT});
+        Case{"reference", "60000", SIGINT}, Case{"reference", "60000", SIGTERM}, Case{"reference", "20000", SIGHUP},
+        Case{"reference", "20000", SIGXCPU}, Case{"opencl", "150000", SIGINT});
     const std::vector<std::string> common{"run",          file,       "--backend", backend,
                                           "--iterations", iterations, "--format",  "npy"};
     std::vector<std::string> words = common;
@@ -70,6 +71,21 @@ TEST_CASE("Ctrl-C saves a checkpoint, and the command it prints ends in the bits
     for (const char* name : {"final.U.npy", "final.V.npy"}) {
         CHECK(read_all(folder / "broken off" / name) == read_all(folder / "whole" / name));
     }
+}
+
+TEST_CASE("a run that was told to outlive its terminal does") {
+    const Folder folder;
+    const std::string file = folder.write("spots.pex", test::spots);
+    Child child({"sh", "-c",
+                 "trap '' HUP; exec " PELAGE_COMMAND " run " + file +
+                     " --backend reference --iterations 5000 --checkpoint-every 500 --out " +
+                     (folder / "out").string()});
+    REQUIRE(test::wait_for(folder / "out" / "checkpoint.pelage", child));
+
+    child.signal(SIGHUP);
+
+    CHECK(child.wait().exit_code == 0);
+    CHECK(std::filesystem::exists(folder / "out" / "final.exr"));
 }
 
 namespace {

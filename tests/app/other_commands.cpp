@@ -11,6 +11,28 @@ using test::Folder;
 using test::Outcome;
 using test::read_all;
 
+TEST_CASE("check --explain says what `change` adds in a unit of time, where that is not one iteration") {
+    const test::Folder folder;
+    const std::string start = "define chemical U\ndefine chemical V\ncreate hex_grid 3 3\n";
+    const std::string rules =
+        "rule always change U conc 0.02\nrule every 4 always change U conc 0.02\nrule always change V conc U conc\n"
+        "rule always change U diff 0.1\n";
+    const auto said = [&](const std::string& text) {
+        return test::command({"check", "--explain", folder.write("t.pex", start + text)}).out;
+    };
+    using Catch::Contains;
+
+    const std::string tenth = said("define time_step 0.1\n" + rules);
+    CHECK_THAT(tenth, Contains("line 5: `change U` has no time step in it: it adds 0.02 in every iteration, which is "
+                               "0.2 a unit of time at time_step 0.1\n"));
+    CHECK_THAT(tenth, Contains("line 6") && Contains("in every 4 iterations, which is 0.05 a unit of time"));
+    CHECK_THAT(tenth, Contains("adds its value in every iteration, which is 10 times that a unit of time"));
+    CHECK_THAT(tenth, !Contains("line 8"));
+    CHECK_THAT(said(rules), !Contains("no time step"));
+    CHECK_THAT(said(rules + "phase \"a\" 5\ndefine time_step 0.5\nphase \"b\" 5\ndefine time_step 0.25\n"),
+               Contains("0.04 a unit of time at time_step 0.5, 0.08 a unit of time at time_step 0.25"));
+}
+
 TEST_CASE("devices lists a usable device with all that one wants to know") {
     const Folder folder;
 

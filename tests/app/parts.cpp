@@ -17,6 +17,9 @@ TEST_CASE("numbers are shown as people read them") {
     CHECK(grouped(999) == "999");
     CHECK(grouped(242000) == "242,000");
     CHECK(grouped(1234567890) == "1,234,567,890");
+    CHECK(counted(1, "cell") == "1 cell");
+    CHECK(counted(2000, "cell") == "2,000 cells");
+    CHECK(counted(0, "cell lies", "cells lie") == "0 cells lie");
     CHECK(clock_time(0) == "0:00");
     CHECK(clock_time(41.2) == "0:42");
     CHECK(clock_time(3599.5) == "1:00:00");
@@ -84,7 +87,7 @@ TEST_CASE("the printed command is quoted for the shell") {
     CHECK(shell_quoted("out/a-1.pex") == "out/a-1.pex");
     CHECK(resume_command(options, "out/c.pelage", -3) ==
           "pelage run 'it'\\''s here.pex' --backend opencl --precision double --iterations 500 --seed -3 "
-          "--out 'out/it'\\''s here' --format exr,png --snap-every 10 --fast --resume out/c.pelage");
+          "--out 'out/it'\\''s here' --snap-every 10 --fast --resume out/c.pelage");
 }
 
 TEST_CASE("the memory a run needs counts its growth") {
@@ -93,16 +96,21 @@ TEST_CASE("the memory a run needs counts its growth") {
         "rule from 5 every 10 always expand columns 2 rows 1\nstop at 100\n";
     const pelage::Experiment experiment = pelage::parse_experiment(growing, "growing", ".");
 
-    const Footprint early = footprint(experiment, 10, pelage::Precision::single_);
-    const Footprint late = footprint(experiment, 100, pelage::Precision::single_);
-    const Footprint twice = footprint(experiment, 100, pelage::Precision::double_);
+    const Footprint early = footprint(experiment, 10, pelage::Precision::single_, false);
+    const Footprint late = footprint(experiment, 100, pelage::Precision::single_, false);
+    const Footprint twice = footprint(experiment, 100, pelage::Precision::double_, false);
 
     CHECK(early.cells == 10 * 10);  // acts at 10, 20, ... 90: the period counts from 0
     CHECK(late.cells == (10 + 9 * 2) * (10 + 9));
     CHECK(twice.device > late.device);
-    CHECK(late.host > late.device);
-    CHECK_NOTHROW(check_host_memory(experiment, late, late.host));
-    CHECK_THROWS_WITH(check_host_memory(experiment, late, late.host / 2), Catch::Contains("532 cells"));
+    CHECK(late.reference > late.device);
+    const double enough = late.states() + late.reference;
+    CHECK_NOTHROW(check_host_memory(experiment, late, Worked::by_reference, enough));
+    CHECK_NOTHROW(check_host_memory(experiment, late, Worked::on_a_card, late.states()));
+    CHECK_THROWS_WITH(check_host_memory(experiment, late, Worked::in_main_memory, late.states()),
+                      Catch::Contains("532 cells") && Catch::Contains("bytes a cell"));
+    CHECK_THROWS_WITH(check_host_memory(experiment, late, Worked::by_reference, enough / 2),
+                      Catch::Contains("532 cells"));
     CHECK(why_not_on_device(late, late.device).empty());
     CHECK_THAT(why_not_on_device(late, late.device / 2), Catch::Contains("on the device"));
 }

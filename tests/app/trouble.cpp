@@ -32,7 +32,6 @@ TEST_CASE("a wrong command line is refused with what is allowed") {
     const Folder folder;
     const std::string file = folder.write("spots.pex", test::spots);
 
-    check_refused(command({}), "subcommand");
     check_refused(command({"grow"}), "grow");
     check_refused(command({"run"}), "FILE");
     check_refused(command({"run", file, "--backend", "cuda"}), "opencl");

@@ -161,7 +161,7 @@ TEST_CASE("a candidate that hangs is ended and struck out") {
 
     INFO(outcome.out << outcome.err);
     REQUIRE(outcome.exit_code == 1);
-    CHECK_THAT(outcome.out, Contains("hung: did not come to an end within 1 seconds"));
+    CHECK_THAT(outcome.out, Contains("hung: did not come to an end within 1 second"));
 }
 
 TEST_CASE("a process that ends without an answer is a crash") {

@@ -9,6 +9,8 @@
 #include <fmt/format.h>
 #include <catch2/catch.hpp>
 
+#include <algorithm>
+#include <bit>
 #include <string>
 #include <vector>
 
@@ -57,6 +59,24 @@ TEST_CASE("the OpenMP lattice has the reference's bits at any size and boundary"
     }
 }
 
+TEST_CASE("a small spot in an empty field keeps no subnormal numbers, on the baseline as on the reference") {
+    const auto& cases = bench::all_cases();
+    const auto one = std::ranges::find_if(cases, [](const bench::Case& c) { return c.name == "gray-scott-seed"; });
+    REQUIRE(one != cases.end());
+    const Experiment experiment = bench::experiment_of(*one, 220);
+    const auto initial = std::make_shared<const Snapshot>(initial_state(experiment));
+    const auto reference = bench::reference_task(experiment, initial);
+    const auto baseline = bench::openmp_lattice(*one->kernel, experiment, *initial);
+
+    CHECK(compared(*reference, *baseline, 300, bench::outcome_of(*initial)) == "");
+
+    const auto subnormal = [](std::uint32_t word) { return (word & 0x7f800000u) == 0 && (word & 0x7fffffffu) != 0; };
+    for (const bench::Array& found : baseline->outcome()) CHECK(std::ranges::none_of(found.words, subnormal));
+    const auto there = [](std::uint32_t word) { return std::bit_cast<float>(word) > 0.01f; };
+    const auto spot = std::ranges::count_if(baseline->outcome()[1].words, there);
+    CHECK((spot > 50 && spot < 500));
+}
+
 TEST_CASE("the OpenMP cell step has the reference's bits while cells move and lists are renewed") {
     const auto& cases = bench::all_cases();
     const auto one = std::ranges::find_if(cases, [](const bench::Case& c) { return c.name == "tissue"; });
@@ -96,5 +116,22 @@ TEST_CASE("all searches of the neighbours suite find the same sets") {
             CHECK(bench::disagreement({}, expected, threads->outcome()) == "");
             CHECK(bench::disagreement({}, expected, device->outcome()) == "");
         }
+    }
+}
+
+TEST_CASE("the filled Gray-Scott case stays filled, and the spot of the other one neither grows nor goes") {
+    const auto share = [](const char* name, std::size_t side, std::uint64_t iterations) {
+        const auto& cases = bench::all_cases();
+        const auto one = std::ranges::find_if(cases, [&](const bench::Case& c) { return c.name == name; });
+        const Experiment experiment = bench::experiment_of(*one, side);
+        const auto baseline = bench::openmp_lattice(*one->kernel, experiment, initial_state(experiment));
+        baseline->work(iterations);
+        const auto there = [](std::uint32_t word) { return std::bit_cast<float>(word) > 0.05f; };
+        const auto words = baseline->outcome()[1].words;
+        return static_cast<double>(std::ranges::count_if(words, there)) / static_cast<double>(words.size());
+    };
+    for (const std::uint64_t iterations : {2'000u, 8'000u}) {
+        CHECK(share("gray-scott", 64, iterations) > 0.5);
+        CHECK(share("gray-scott-seed", 64, iterations) * 64 * 64 == Approx(109).margin(15));
     }
 }

@@ -73,7 +73,7 @@ stop at 10
     CHECK(state.x[1] == Approx(4).epsilon(1e-6));
     CHECK(state.y[1] == Approx(6).margin(1e-6));
     CHECK(state.polarity_x[1] == Approx(-1).epsilon(1e-6));
-    CHECK(state.birth == std::vector<std::int32_t>{0, 1});
+    CHECK(state.birth == std::vector<std::uint32_t>{0, 1});
     CHECK(state.neighbours == std::vector<std::int32_t>{0, 0});
     CHECK(state.fixed == std::vector<std::uint8_t>{1, 0});
     CHECK(test::after(*tissue, 1).neighbours == std::vector<std::int32_t>{1, 1});
@@ -174,7 +174,7 @@ TEST_CASE("a population doubles without a lost or a doubled cell") {
         std::set<std::pair<double, double>> parents;
         for (std::size_t cell = 0; cell < before.cells(); ++cell) {
             const std::size_t child = before.cells() + cell;
-            REQUIRE(state.birth[child] == static_cast<std::int32_t>(generation) + 1);
+            REQUIRE(state.birth[child] == static_cast<std::uint32_t>(generation) + 1);
             REQUIRE(std::hypot(state.x[child] - before.x[cell], state.y[child] - before.y[cell]) ==
                     Approx(1).epsilon(1e-4));
             REQUIRE(state.conc[0][child] == before.conc[0][cell]);

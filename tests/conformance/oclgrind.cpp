@@ -52,6 +52,29 @@ TEST_CASE("Oclgrind names each kind of seeded fault") {
                Contains("Uninitialized value written to global memory") && Contains("Kernel: faulty"));
 }
 
+TEST_CASE("a device that keeps subnormal numbers is found out, and told of") {
+    if (oclgrind_missing()) return;
+
+    for (const std::string check : {"device/subnormal", "values/denormal/published", "cells/near-zero"}) {
+        const Verification verification = verify({"--small", "--jobs", "1"}, under_oclgrind(), check);
+
+        INFO(verification.told());
+        const nlohmann::json result = verification.result(check);
+        REQUIRE(result.is_object());
+        CHECK(result["verdict"] == "skipped");
+        CHECK_THAT(result["message"].get<std::string>(),
+                   Contains("keeps subnormal numbers (sums, products, fma") && Contains("2^-126"));
+    }
+    const Folder folder;
+    folder.write("small.pex",
+                 "define chemical A\nuse chemical A conc 1 dev 1 diff 0.1\ncreate matrix 5 4\nstop at 2\n");
+    Surroundings surroundings = under_oclgrind();
+    const Outcome run =
+        command({"run", (folder / "small.pex").string(), "--out", (folder / "out").string()}, surroundings);
+    CHECK(run.exit_code == 0);
+    CHECK_THAT(run.err, Contains("note: device") && Contains("keeps subnormal numbers"));
+}
+
 TEST_CASE("Oclgrind finds nothing in random numbers, sort and scan") {
     nothing_to_report({"random/", "scan/", "sort/"});
 }

@@ -45,6 +45,10 @@ TEST_CASE("rusticl gives the reference's bits: uneven rates, polarity, rules in 
     same_bits({"rates/uneven/published", "rates/polarized/five-point", "rules/chains", "laws/m"});
 }
 
+TEST_CASE("rusticl gives the reference's bits: subnormal numbers, which are 0") {
+    same_bits({"device/subnormal", "values/denormal/published", "near-zero"});
+}
+
 TEST_CASE("rusticl gives the reference's bits: free cells that divide and turn") {
     same_bits({"cells/divide-while-polarized", "cells/spatial-sorting", "not-finite"});
 }

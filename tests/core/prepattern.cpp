@@ -2,9 +2,15 @@
 #include "core/prepattern.hpp"
 
 #include "core/error.hpp"
+#include "core/published_random.hpp"
+#include "core/seed.hpp"
 #include "core/support_experiments.hpp"
 
 #include <catch2/catch.hpp>
+
+#include <cmath>
+#include <numbers>
+#include <set>
 
 using namespace pelage;
 using Catch::Matchers::Contains;
@@ -45,6 +51,76 @@ TEST_CASE("each cell draws conc then diff of each chemical in order") {
         CHECK(state.conc[1][cell] == random.deviate(4, 2));
         CHECK(state.diff[1][cell] == random.deviate(1, 0.5f));
     }
+}
+
+TEST_CASE("what is drawn is drawn in float in any precision, what is not keeps its double in a run in double") {
+    CreateGrid jittered = grid(Arrangement::hex_grid, 2, 2);
+    jittered.deviation = 0.25;
+    CreateGrid placed = grid(Arrangement::hex_circle, 3, 0);
+    placed.x = 0.3;
+    const auto state = [&](Precision precision) {
+        return initial_state(
+            with({UseChemical{0, Spread{0.3, 0.0}, Spread{0.7, 0.1}}, UseChemical{1, Spread{0.3, 0.1}, Spread{0.1, 0}},
+                  UsePolarity{Spread{30, 0}}, CreateCell{0.1, 0.2, false}, CreateShape{{"A"}, 0.1, 0.3, false},
+                  UsePolarity{Spread{30, 10}}, jittered, UsePolarity{}, placed,
+                  SetCells{1, 1, SetConcentration{1, {0.6, 0}}}, SetCells{1, 1, SetRate{1, {0.6, 0}}},
+                  SetCells{1, 1, SetPolarity{Spread{60, 0}}}}),
+            precision);
+    };
+    const Snapshot single = state(Precision::single_);
+    const Snapshot full = state(Precision::double_);
+    const auto rounded = [](double value) { return static_cast<double>(static_cast<float>(value)); };
+
+    CHECK(full.conc[0] == std::vector<double>(full.cells(), 0.3));
+    CHECK(single.conc[0] == std::vector<double>(full.cells(), rounded(0.3)));
+    CHECK(full.diff[0] == single.diff[0]);
+    CHECK(full.conc[1][0] == single.conc[1][0]);
+    CHECK(full.conc[1][1] == 0.6);
+    CHECK(full.diff[1][0] == 0.1);
+    CHECK(full.diff[1][1] == 0.6);
+    CHECK(full.x[0] == 0.1);
+    CHECK(full.y[0] == 0.2);
+    CHECK(full.x[1] == 0.1 - 1.0);
+    CHECK(full.y[1] == 0.3 + 1.0);
+    CHECK(full.polarity_x[0] == std::cos(std::numbers::pi / 6));
+    CHECK(full.polarity_x[1] == std::cos(std::numbers::pi / 3));
+    REQUIRE(full.cells() == single.cells());
+    for (std::size_t cell = 2; cell < 6; ++cell) {  // jittered, their polarity drawn
+        CHECK(full.x[cell] == single.x[cell]);
+        CHECK(full.y[cell] == single.y[cell]);
+        CHECK(full.polarity_x[cell] == single.polarity_x[cell]);
+    }
+    for (std::size_t cell = 6; cell < full.cells(); ++cell) {
+        const double row = std::round(full.y[cell] / 1.7321);
+        CHECK(full.y[cell] == row * 1.7321);
+        CHECK(std::abs(full.x[cell] - single.x[cell]) < 1e-6);
+    }
+    for (const auto* column : {&single.x, &single.y, &single.polarity_x, &single.polarity_y, &single.conc[1]}) {
+        for (const double value : *column) CHECK(value == rounded(value));
+    }
+}
+
+TEST_CASE("two clocks give two seeds, and one experiment one") {
+    std::set<std::int64_t> seeds;
+    for (int i = 0; i < 1000; ++i) seeds.insert(seed_from_clock());
+    CHECK(seeds.size() == 1000);
+    CHECK(*seeds.begin() > 0);
+    CHECK(*seeds.rbegin() < std::int64_t{1} << 53);
+
+    const auto start = [](std::vector<Statement> statements) {
+        statements.insert(statements.end(), {UseChemical{0, Spread{4, 2}, {}}, grid(Arrangement::sqr_grid, 5, 1)});
+        return initial_state(with(std::move(statements))).conc[0];
+    };
+    CHECK(start({UseSeed{0}}) != start({UseSeed{0}}));
+    CHECK(start({UseSeed{1}}) != start({UseSeed{4294967296}}));
+    CHECK(start({UseSeed{1}}) != start({UseSeed{4294967297}}));
+
+    Experiment clocked = with({UseSeed{0}});
+    CHECK(seeded_by_clock(clocked));
+    settle_seed(clocked, 7);
+    CHECK(clocked.run_seed() == 7);
+    settle_seed(clocked, 8);
+    CHECK(clocked.run_seed() == 7);
 }
 
 TEST_CASE("jitter draws y first and lies below the centre") {

@@ -1,10 +1,14 @@
 // Random numbers: known answers of both generators, and the uniformity of the counted one.
 #include "core/philox.hpp"
-#include "core/prepattern.hpp"
+#include "core/published_random.hpp"
 
 #include <catch2/catch.hpp>
 
+#include <algorithm>
 #include <array>
+#include <cstdint>
+#include <limits>
+#include <set>
 #include <vector>
 
 using namespace pelage;
@@ -47,6 +51,38 @@ TEST_CASE("the published generator is glibc's rand") {
     CHECK(first == std::vector<std::uint32_t>{1804289383u, 846930886u, 1681692777u});
     CHECK(other.next() == 71876166u);
     CHECK(other.next() == 708592740u);
+}
+
+TEST_CASE("seeds that the published program takes keep its numbers; of all others every bit counts") {
+    const auto first = [](std::int64_t seed) {
+        PublishedRandom random(seed);
+        std::vector<std::uint32_t> drawn;
+        for (int i = 0; i < 40; ++i) drawn.push_back(random.next());
+        return drawn;
+    };
+
+    // By glibc's srand(seed), rand().
+    CHECK(first(2147483647)[0] == 1065668062u);
+    CHECK(first(-1)[0] == 254925627u);
+    CHECK(first(-2147483648)[0] == 1336741213u);
+    std::set<std::vector<std::uint32_t>> starts;
+    std::vector<std::int64_t> seeds{1,
+                                    2147483647,
+                                    2147483648,
+                                    4294967295,
+                                    4294967296,
+                                    4294967297,
+                                    -1,
+                                    -2147483648,
+                                    -2147483649,
+                                    std::numeric_limits<std::int64_t>::max(),
+                                    std::numeric_limits<std::int64_t>::min()};
+    for (int bit = 31; bit < 63; ++bit) seeds.push_back((std::int64_t{1} << bit) + 5);
+    for (const std::int64_t seed : seeds) starts.insert(first(seed));
+    CHECK(starts.size() == seeds.size());
+    for (const auto& drawn : starts) {
+        CHECK(std::ranges::all_of(drawn, [](std::uint32_t word) { return word < 1u << 31; }));
+    }
 }
 
 TEST_CASE("a deviation of 0 draws nothing") {

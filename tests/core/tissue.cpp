@@ -95,6 +95,28 @@ TEST_CASE("an expansion by interpolation is one stretch to the new size") {
     CHECK(tissue.rows() == 6);
 }
 
+TEST_CASE("a state that no run can come to is refused") {
+    const Experiment experiment = test::turing_matrix(3, 2);
+    const Snapshot good = initial_state(experiment);
+    Recorder tissue(experiment, good);
+    const auto refused = [&](auto change) {
+        Snapshot state = good;
+        change(state);
+        try {
+            tissue.write(state);
+        } catch (const Error& error) {
+            return std::string(error.what());
+        }
+        return std::string("(none)");
+    };
+
+    CHECK(refused([](Snapshot& s) { s.iteration = largest_iteration; }) == "(none)");
+    CHECK_THAT(refused([](Snapshot& s) { s.iteration = largest_iteration + 1; }), Contains("cannot pass 4294967295"));
+    CHECK_THAT(refused([](Snapshot& s) { s.birth[4] = 1; }), Contains("cell 4") && Contains("born at iteration 1"));
+    CHECK_THAT(refused([](Snapshot& s) { s.mirrors = {{0, 6}}; }), Contains("cells 0 and 6; cells 0 to 5 exist"));
+    CHECK_THAT(refused([](Snapshot& s) { s.diff[1][3] = -0.01; }), Contains("rate -0.01 of 'V' in cell 3"));
+}
+
 TEST_CASE("expand refuses picks that do not fit") {
     const Experiment experiment = test::turing_matrix(3, 2);
     Recorder tissue(experiment, initial_state(experiment));

@@ -2,8 +2,11 @@
 #include "io/atomic_file.hpp"
 #include "core/error.hpp"
 #include "io/file_bytes.hpp"
+#include "io/locked.hpp"
 #include "scratch.hpp"
 
+#include <signal.h>
+#include <sys/wait.h>
 #include <unistd.h>
 #include <catch2/catch.hpp>
 #include <string>
@@ -38,6 +41,29 @@ TEST_CASE("a file that is given up leaves nothing behind") {
     }
 
     CHECK(scratch.names().empty());
+}
+
+TEST_CASE("what a killed program left is removed, what a living one writes is not") {
+    const Scratch scratch;
+    test::put(scratch / ".pelage-1-0.part", "half");
+    test::put(scratch / "notes.part", "somebody's");
+    const pid_t child = fork();
+    if (child == 0) {
+        AtomicFile file(scratch / "other.bin");
+        file.write("half");
+        pause();
+    }
+    const auto begun = [&] { return scratch.names().size() == 2 && !fs::exists(scratch / ".pelage-1-0.part"); };
+    while (!begun()) usleep(1000);
+
+    write_file(scratch / "data.bin", "whole");
+
+    CHECK(scratch.names().size() == 3);
+    kill(child, SIGKILL);
+    waitpid(child, nullptr, 0);
+    CHECK(scratch.names().size() == 3);
+    remove_left_over(scratch / "", ".pelage-", ".part");
+    CHECK(scratch.names() == std::vector<std::string>{"data.bin", "notes.part"});
 }
 
 TEST_CASE("bytes can be written over at an earlier place") {

@@ -28,7 +28,7 @@ Snapshot awkward() {
     state.conc[0] = {std::bit_cast<double>(0x7ff8dead0000beefu), std::bit_cast<double>(0xfff0000000000001u),
                      -std::numeric_limits<double>::infinity()};
     state.mappings = {{1, 2, 3}, {0, -0.0, 0}};
-    state.birth = {-1, 0, std::numeric_limits<std::int32_t>::max()};
+    state.birth = {1, 0, std::numeric_limits<std::uint32_t>::max()};
     state.fixed = {0, 1, 0};
     state.mirrors = {{0, 2}, {1, 1}};
     return state;

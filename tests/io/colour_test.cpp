@@ -23,7 +23,7 @@ Output ranged(Output output, double low, double high) {
     return output;
 }
 
-Colours over(Output output, double low, double high) { return {ranged(std::move(output), low, high), {}}; }
+Colours over(Output output, double low, double high) { return {ranged(std::move(output), low, high), ValueRange{}}; }
 
 bool near(const Rgb& a, const Rgb& b, int tolerance) {
     for (std::size_t i = 0; i < 3; ++i) {
@@ -76,35 +76,59 @@ TEST_CASE("colours of slots may come in any order, and one is enough") {
     CHECK(plain(99) == blue);
 }
 
-TEST_CASE("slotted maps are grey outside the range, and where it is too small") {
-    const auto heat = over(output("heat"), 0, 1);
-    const std::vector<double> flat{0.3, 0.30005};
-    const Colours of_flat(output("heat"), flat);
-    const std::vector<double> steep{0.3, 0.3002};
-    const Colours of_steep(output("heat"), steep);
-
-    CHECK(heat(-0.001) == grey);
-    CHECK(heat(1.001) == grey);
-    CHECK(heat(std::numeric_limits<double>::infinity()) == grey);
-    CHECK(of_flat(0.3) == grey);
-    CHECK(of_steep(0.3) == blue);
-    CHECK(of_steep(0.3002) == red);
+TEST_CASE("every map keeps its end colours outside its range") {
+    const double infinity = std::numeric_limits<double>::infinity();
+    const std::vector<ColourStop> stops{{0.25, red}, {0.75, blue}};
+    for (const auto& name : {"heat", "gradient", "striped", "inferno", "gray", "stops"}) {
+        const auto colours = over(output(name, stops), 0, 1);
+        INFO(name);
+        CHECK(colours(-0.001) == colours(0));
+        CHECK(colours(-infinity) == colours(0));
+        CHECK(colours(1.001) == colours(1));
+        CHECK(colours(infinity) == colours(1));
+        CHECK(colours(0) != colours(1));
+        CHECK(colours(std::nan("")) == magenta);
+    }
+    CHECK(over(output("stops", stops), 0, 1)(0.1) == red);
+    CHECK(over(output("stops", stops), 0, 1)(0.5) == Rgb{128, 0, 128});
+    CHECK(over(output("gray"), 1, 0)(0.25) == Rgb{191, 191, 191});  // a range may run downwards
+    CHECK(over(output("heat"), 1, 0)(0.9) == over(output("heat"), 0, 1)(0.1));
 }
 
-TEST_CASE("other maps keep their end colours outside and are grey only where all is equal") {
-    const auto stops = over(output("stops", {{0.25, red}, {0.75, blue}}), 0, 1);
-    const std::vector<double> small{1.0, 1.0 + 1e-9};
-    const std::vector<double> flat{1.0, 1.0};
+TEST_CASE("a range that is given is drawn however small it is") {
+    for (const auto& name : {"heat", "inferno"}) {
+        const auto colours = over(output(name), 0, 1e-6);
+        INFO(name);
+        CHECK(colours(0) == over(output(name), 0, 1)(0));
+        CHECK(colours(1e-6) == over(output(name), 0, 1)(1));
+    }
+}
 
-    CHECK(stops(-5) == red);
-    CHECK(stops(0.1) == red);
-    CHECK(stops(0.5) == Rgb{128, 0, 128});
-    CHECK(stops(0.9) == blue);
-    CHECK(stops(std::numeric_limits<double>::infinity()) == blue);
+TEST_CASE("without a given range equal values are grey, and with a slotted map nearly equal ones, as published") {
+    const std::vector<double> flat{0.3, 0.30005};
+    const std::vector<double> steep{0.3, 0.3002};
+    const std::vector<double> small{1.0, 1.0 + 1e-9};
+    const std::vector<double> equal{1.0, 1.0};
+
+    CHECK(Colours(output("heat"), flat)(0.3) == grey);
+    CHECK(Colours(output("heat"), steep)(0.3) == blue);
+    CHECK(Colours(output("heat"), steep)(0.3002) == red);
+    CHECK(Colours(output("heat"), ValueRange{0.3, 0.30005})(0.3) == grey);
     CHECK(Colours(output("gray"), small)(1.0) == Rgb{0, 0, 0});
     CHECK(Colours(output("gray"), small)(1.0 + 1e-9) == Rgb{255, 255, 255});
-    CHECK(Colours(output("gray"), flat)(1.0) == grey);
-    CHECK(over(output("gray"), 1, 0)(0.25) == Rgb{191, 191, 191});  // a range may run downwards
+    CHECK(Colours(output("gray"), equal)(1.0) == grey);
+}
+
+TEST_CASE("16 bits have the colours of 8, and linear maps those between") {
+    const auto deep = over(output("gray"), 0, 1);
+    const auto heat = over(output("heat"), 0, 1);
+
+    CHECK(deep.deep(0) == DeepRgb{0, 0, 0});
+    CHECK(deep.deep(1) == DeepRgb{65535, 65535, 65535});
+    CHECK(deep.deep(0.5)[0] == 32768);
+    CHECK(deep.deep(0.5001) != deep.deep(0.5));
+    CHECK(heat.deep(1) == DeepRgb{65535, 0, 0});
+    CHECK(heat.deep(std::nan("")) == DeepRgb{65535, 0, 65535});
 }
 
 TEST_CASE("named maps meet their originals within 2 %") {
@@ -154,7 +178,7 @@ TEST_CASE("a rendered lattice shows row 0 at the bottom") {
 }
 
 TEST_CASE("colormaps that mean nothing are refused in words") {
-    const auto problem = [](const Output& wanted) { return test::error_of([&] { Colours(wanted, {}); }); };
+    const auto problem = [](const Output& wanted) { return test::error_of([&] { Colours(wanted, ValueRange{}); }); };
 
     CHECK_THAT(problem(output("rainbow")), Contains("'rainbow'") && Contains("inferno"));
     CHECK_THAT(problem(output("striped")), Contains("'striped' has no colours"));

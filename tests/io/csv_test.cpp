@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <catch2/catch.hpp>
 #include <cmath>
+#include <cstdlib>
 #include <limits>
 
 using Catch::Matchers::Contains;
@@ -22,7 +23,7 @@ TEST_CASE("cells as a table: exact text") {
     cells.conc[0] = {1.0 / 3.0, std::numeric_limits<double>::infinity()};
     cells.conc[1] = {1e20, std::nan("")};
 
-    write_csv(scratch / "final.csv", cells, test::experiment());
+    write_csv(scratch / "final.csv", cells, test::experiment(), Precision::single_);
 
     CHECK(test::get(scratch / "final.csv") ==
           "id,x,y,birth,neighbours,polarity_x,polarity_y,conc U,conc V,diff U,diff V\n"
@@ -36,7 +37,7 @@ TEST_CASE("every float comes back from a table") {
     for (const float value : {0.1f, 1.17549435e-38f, 3.40282347e38f, 16777217.f, 0.3333333432674408f}) {
         cells.conc[0][0] = static_cast<double>(value);
 
-        write_csv(scratch / "final.csv", cells, test::experiment());
+        write_csv(scratch / "final.csv", cells, test::experiment(), Precision::single_);
 
         const auto text = test::get(scratch / "final.csv");
         auto at = text.find('\n');
@@ -45,12 +46,30 @@ TEST_CASE("every float comes back from a table") {
     }
 }
 
+TEST_CASE("every double of a run in double comes back from a table, as short as may be") {
+    const Scratch scratch;
+    auto cells = test::cells({0.3}, {0});
+    cells.birth = {4294967295u};
+    for (const double value :
+         {0.3, 0.30000001192092896, 1.0 / 3.0, 5e-324, 1.7976931348623157e308, -9007199254740993.0}) {
+        cells.conc[0][0] = value;
+
+        write_csv(scratch / "final.csv", cells, test::experiment(), Precision::double_);
+
+        const auto text = test::get(scratch / "final.csv");
+        CHECK_THAT(text, Contains("\n0,0.3,0,4294967295,"));
+        auto at = text.find('\n');
+        for (int comma = 0; comma < 7; ++comma) at = text.find(',', at + 1);
+        CHECK(std::strtod(text.c_str() + at + 1, nullptr) == value);
+    }
+}
+
 TEST_CASE("a table of a lattice and of many cells has a line a cell") {
     const Scratch scratch;
 
-    write_csv(scratch / "lattice.csv", test::lattice(3, 2), test::experiment());
-    write_csv(scratch / "large.csv", test::lattice(300, 200), test::experiment());
-    write_csv(scratch / "none.csv", test::cells({}, {}), test::experiment());
+    write_csv(scratch / "lattice.csv", test::lattice(3, 2), test::experiment(), Precision::single_);
+    write_csv(scratch / "large.csv", test::lattice(300, 200), test::experiment(), Precision::single_);
+    write_csv(scratch / "none.csv", test::cells({}, {}), test::experiment(), Precision::single_);
 
     const auto lattice = test::get(scratch / "lattice.csv");
     const auto large = test::get(scratch / "large.csv");
@@ -67,12 +86,12 @@ TEST_CASE("odd names are quoted, arrays that do not fit refused") {
     experiment.chemicals[0].name = "a,\"b\"";
     auto cells = test::cells({0}, {0});
 
-    write_csv(scratch / "a.csv", cells, experiment);
+    write_csv(scratch / "a.csv", cells, experiment, Precision::single_);
     cells.conc[1].clear();
-    const auto text = test::error_of([&] { write_csv(scratch / "b.csv", cells, experiment); });
+    const auto text = test::error_of([&] { write_csv(scratch / "b.csv", cells, experiment, Precision::single_); });
 
     CHECK_THAT(test::get(scratch / "a.csv"), Contains("\"conc a,\"\"b\"\"\",conc V"));
-    CHECK_THAT(text, Contains("1 cells") && Contains("concentrations of V"));
-    CHECK_THAT(test::error_of([&] { write_csv("/dev/full", test::cells({0}, {0}), experiment); }),
+    CHECK_THAT(text, Contains("1 cell,") && Contains("concentrations of V"));
+    CHECK_THAT(test::error_of([&] { write_csv("/dev/full", test::cells({0}, {0}), experiment, Precision::single_); }),
                Contains("No space left"));
 }

@@ -75,6 +75,43 @@ TEST_CASE("a written EXR picture is a field again") {
     CHECK(field->values == values);
 }
 
+TEST_CASE("a channel of halves keeps three digits, beside one of floats") {
+    const Scratch scratch;
+    const std::vector<double> wide{0.1, 1e5, -1.0, 65504.0, 1e-9, 0.5};
+
+    write_exr(scratch / "a.exr", 3, 2, {{"U", u, ExrType::half}, {"V", v}, {"W", wide, ExrType::half}}, {});
+    const auto picture = read_exr(scratch / "a.exr");
+
+    CHECK(picture.values[0] == u);
+    CHECK(picture.values[1] == v);
+    CHECK(picture.values[2][0] == Approx(0.1).epsilon(1e-3));
+    CHECK(picture.values[2][0] != 0.1f);
+    CHECK(std::isinf(picture.values[2][1]));
+    CHECK(picture.values[2][3] == 65504.0);
+    const Imf::InputFile file((scratch / "a.exr").c_str());
+    CHECK(file.header().channels()["U"].type == Imf::HALF);
+    CHECK(file.header().channels()["V"].type == Imf::FLOAT);
+}
+
+TEST_CASE("a large picture that several threads compress is the same picture") {
+    const Scratch scratch;
+    const auto values = waves(std::size_t{640} * 480);
+
+    write_exr(scratch / "a.exr", 640, 480, {{"U", values}, {"V", values, ExrType::half}}, {});
+
+    CHECK(read_exr(scratch / "a.exr").values[0] == values);
+}
+
+TEST_CASE("text in an EXR header is UTF-8, whatever the experiment's file holds") {
+    const Scratch scratch;
+    const std::string latin = "// caf\xe9 \xc3\xa4 \xf0\x9f\x90\x86 \xc3";
+
+    write_exr(scratch / "a.exr", 3, 2, {{"U", u}}, {{"experiment", latin}});
+
+    CHECK(read_exr(scratch / "a.exr").attributes.at("experiment") ==
+          "// caf\xef\xbf\xbd \xc3\xa4 \xf0\x9f\x90\x86 \xef\xbf\xbd");
+}
+
 TEST_CASE("NaN and infinity survive in an EXR picture") {
     const Scratch scratch;
     const double infinity = std::numeric_limits<double>::infinity();

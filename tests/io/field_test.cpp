@@ -1,6 +1,7 @@
 // Pictures and arrays as initial states.
 #include "io/field.hpp"
 #include "core/error.hpp"
+#include "io/exr.hpp"
 #include "io/npy.hpp"
 #include "scratch.hpp"
 
@@ -109,10 +110,13 @@ TEST_CASE("all depths and colour types of PNG are scaled to 0..1") {
     CHECK(values_of(colour)[0] == Approx(0.2126 + 0.7152 * 0.2).epsilon(1e-12));
     CHECK(values_of(deep, "G") == std::vector<double>{0x1234 / 65535.0});
     CHECK(values_of(deep, "B") == std::vector<double>{1 / 65535.0});
-    CHECK(values_of(deep, "A") == std::vector<double>{1.0});
     CHECK(values_of(grey_alpha) == std::vector<double>{0x8000 / 65535.0});
     CHECK(values_of(grey_alpha, "B") == values_of(grey_alpha));
     CHECK(values_of(grey_alpha, "A") == std::vector<double>{0xff / 65535.0});
+    CHECK_THAT(test::error_of([&] { values_of(deep, "A"); }),
+               Contains("no channel 'A'") && Contains("R, G, B, and no A"));
+    CHECK_THAT(test::error_of([&] { values_of(bits, "A"); }), Contains("no channel 'A'"));
+    CHECK_THAT(test::error_of([&] { values_of(colour, "L"); }), Contains("R, G, B and A"));
     CHECK(values_of(bits) == std::vector<double>{1, 0, 1, 0, 0, 1, 0, 1});
     CHECK(values_of(nibbles) == std::vector<double>{1.0, 0.2});
     CHECK(values_of(palette, "R") == std::vector<double>{1, 0, 0, 0.2});
@@ -148,6 +152,59 @@ TEST_CASE("EXR fields: a named channel, luminance, lowest line first, HALF and F
     CHECK(green->values == std::vector<double>{0.5, 0.25, 0, 1});
     CHECK(light->values == std::vector<double>{0.5, 0.25, 0.2126, 0.7152});
     CHECK_THAT(test::error_of([&] { read_field(path, "X"); }), Contains("no channel 'X'") && Contains("B, G, R, Z"));
+}
+
+namespace {
+
+// Channel i holds i + 1 everywhere, so that a value tells where it comes from.
+std::string exr_with(const Scratch& scratch, const std::vector<std::string>& names, const Attributes& texts = {}) {
+    std::vector<std::vector<double>> values;
+    for (std::size_t i = 0; i < names.size(); ++i) values.emplace_back(4, static_cast<double>(i + 1));
+    std::vector<ExrChannel> channels;
+    for (std::size_t i = 0; i < names.size(); ++i) channels.push_back({names[i], values[i]});
+    write_exr(scratch / "a.exr", 2, 2, channels, texts);
+    return test::get(scratch / "a.exr");
+}
+
+}  // namespace
+
+TEST_CASE("without a channel's name an EXR field is luminance or the one channel that is not alpha") {
+    const Scratch scratch;
+    const auto value = [&](const std::vector<std::string>& names) {
+        return parse_exr(exr_with(scratch, names), "", "a.exr").values.at(0);
+    };
+    const double light = 0.2126 * 1 + 0.7152 * 2 + 0.0722 * 3;
+
+    CHECK(value({"Y", "A"}) == 1);
+    CHECK(value({"R", "A"}) == 1);
+    CHECK(value({"height"}) == 1);
+    CHECK(value({"A"}) == 1);
+    CHECK(value({"Y", "RY", "BY"}) == 1);
+    CHECK(value({"R", "G", "B"}) == Approx(light).epsilon(1e-12));
+    CHECK(value({"R", "G", "B", "A", "Z"}) == Approx(light).epsilon(1e-12));
+    CHECK(value({"layer.R", "layer.G", "layer.B", "layer.A"}) == Approx(light).epsilon(1e-12));
+    CHECK(value({"render.left.Y", "render.left.A"}) == 1);
+    CHECK(value({"R", "G", "B", "mask.R", "mask.G", "mask.B"}) == Approx(light).epsilon(1e-12));
+}
+
+TEST_CASE("an EXR field that could be several channels is refused with their names") {
+    const Scratch scratch;
+    const auto problem = [&](const std::vector<std::string>& names, const Attributes& texts = {}) {
+        const auto bytes = exr_with(scratch, names, texts);
+        return test::error_of([&] { parse_exr(bytes, "", "a.exr"); });
+    };
+
+    CHECK_THAT(problem({"U", "V"}), Contains("a.exr") && Contains("U, V") && Contains("'channel U'"));
+    CHECK_THAT(problem({"R", "G"}), Contains("G, R"));
+    CHECK_THAT(problem({"one.R", "one.G", "one.B", "two.Y"}), Contains("one.R, two.Y"));
+    CHECK_THAT(problem({"U", "V", "Y"}, {{exr_chemicals, "U V"}}), Contains("'channel U'"));
+}
+
+TEST_CASE("the only chemical of a picture of ours is meant, not what other programs show of it") {
+    const Scratch scratch;
+
+    CHECK(parse_exr(exr_with(scratch, {"U", "Y"}, {{exr_chemicals, "U"}}), "", "a.exr").values[0] == 1);
+    CHECK(parse_exr(exr_with(scratch, {"U", "Y"}, {{exr_chemicals, "U"}}), "Y", "a.exr").values[0] == 2);
 }
 
 TEST_CASE("tiled EXR pictures are refused in words") {
@@ -195,6 +252,13 @@ TEST_CASE("fields must be finite, of a known kind, and there") {
         return test::error_of([&] { read_field(scratch / name, channel); });
     };
 
+    write_exr(scratch / "nan.exr", 2, 2, {{"U", std::vector<double>{0, std::nan(""), 0, 0}}}, {});
+    write_exr(scratch / "inf.exr", 1, 1, {{"U", std::vector{1e6}, ExrType::half}}, {});
+    write_exr(scratch / "other.exr", 1, 1, {{"U", std::vector{1.0}}, {"V", std::vector{std::nan("")}}}, {});
+
+    CHECK_THAT(problem("nan.exr"), Contains("nan.exr") && Contains("row 0, column 1"));
+    CHECK_THAT(problem("inf.exr"), Contains("inf") && Contains("must be finite"));
+    CHECK(problem("other.exr", "U").empty());
     CHECK_THAT(problem("nan.npy"), Contains("row 1, column 1"));
     CHECK_THAT(problem("inf.npy"), Contains("inf") && Contains("must be finite"));
     CHECK_THAT(problem("text.png"), Contains("neither a PNG nor an EXR picture nor an .npy array"));

@@ -21,6 +21,8 @@ Manifest manifest() {
     manifest.platform = "a platform";
     manifest.seed = -3;
     manifest.iterations = 5000000000;
+    manifest.time = 2.5;
+    manifest.options = {{"fast", true, std::nullopt}, {"quiet", true, ""}, {"out", false, "a b"}, {"json", false, {}}};
     manifest.cells = 16900;
     manifest.columns = 130;
     manifest.rows = 130;
@@ -42,7 +44,10 @@ TEST_CASE("a manifest holds all that is needed to run again") {
     given.more_numbers["miss_rate"] = 0.25;
     given.more_numbers["worst"] = std::nan("");
 
-    write_manifest(scratch / "manifest.json", given, test::experiment());
+    auto experiment = test::experiment();
+    experiment.inputs = {{"a.png", "12ab"}, {"b.exr", ""}};
+
+    write_manifest(scratch / "manifest.json", given, experiment);
     const auto json = nlohmann::json::parse(test::get(scratch / "manifest.json"));
 
     CHECK(json == nlohmann::json(
@@ -53,6 +58,9 @@ TEST_CASE("a manifest holds all that is needed to run again") {
                        {"precision", "float"},
                        {"seed", -3},
                        {"iterations", 5000000000},
+                       {"time", 2.5},
+                       {"options", {{"fast", false}, {"quiet", true}, {"out", "a b"}, {"json", nullptr}}},
+                       {"inputs", {{{"file", "a.png"}, {"sha256", "12ab"}}, {{"file", "b.exr"}, {"sha256", nullptr}}}},
                        {"cells", 16900},
                        {"columns", 130},
                        {"rows", 130},

@@ -27,15 +27,43 @@ TEST_CASE("a PNG picture has the pixels that were drawn") {
     CHECK(test::get(scratch / "a.png")[25] == 2);  // colour type: RGB
 }
 
-TEST_CASE("shades of grey are stored as such") {
+namespace {
+
+int bits_of(const std::string& png) { return png[24]; }
+int colour_type_of(const std::string& png) { return png[25]; }  // 0: grey, 2: RGB
+
+}  // namespace
+
+TEST_CASE("a picture is RGB whatever its colours are") {
     const Scratch scratch;
     Picture picture(2, 1, {51, 51, 51});
     picture.at(1, 0) = {255, 255, 255};
 
     write_png(scratch / "a.png", picture);
 
-    CHECK(test::get(scratch / "a.png")[25] == 0);
+    CHECK(bits_of(test::get(scratch / "a.png")) == 8);
+    CHECK(colour_type_of(test::get(scratch / "a.png")) == 2);
     CHECK(read_field(scratch / "a.png", "")->values == std::vector<double>{0.2, 1.0});
+}
+
+TEST_CASE("pictures of 16 bits keep them, in colours and in grey") {
+    const Scratch scratch;
+    DeepPicture colours(2, 1, {0x0102, 0xfffe, 0x8000});
+    colours.at(1, 0) = {0, 1, 0xffff};
+    GreyPicture grey(2, 1, {0x1234});
+    grey.at(1, 0) = {0xffff};
+
+    write_png(scratch / "a.png", colours);
+    write_png(scratch / "b.png", grey);
+
+    CHECK(bits_of(test::get(scratch / "a.png")) == 16);
+    CHECK(colour_type_of(test::get(scratch / "a.png")) == 2);
+    CHECK(read_field(scratch / "a.png", "R")->values == std::vector<double>{0x0102 / 65535.0, 0});
+    CHECK(read_field(scratch / "a.png", "G")->values == std::vector<double>{0xfffe / 65535.0, 1 / 65535.0});
+    CHECK(bits_of(test::get(scratch / "b.png")) == 16);
+    CHECK(colour_type_of(test::get(scratch / "b.png")) == 0);
+    CHECK(read_field(scratch / "b.png", "")->values == std::vector<double>{0x1234 / 65535.0, 1.0});
+    CHECK(deepened(Picture(1, 1, {0, 51, 255})).at(0, 0) == DeepRgb{0, 51 * 257, 65535});
 }
 
 TEST_CASE("enlarging repeats pixels") {

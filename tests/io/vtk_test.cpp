@@ -109,13 +109,31 @@ TEST_CASE("a lattice as .vti: shape, place and values") {
     CHECK(document.elements["VTKFile"]["header_type"] == "UInt64");
     CHECK(document.elements["ImageData"]["WholeExtent"] == "0 3 0 2 0 0");
     CHECK(document.elements["Piece"]["Extent"] == "0 3 0 2 0 0");
-    CHECK(document.elements["ImageData"]["Origin"] == "7 -2 0");
-    CHECK(document.elements["ImageData"]["Spacing"] == "2 2 2");
+    CHECK(document.elements["ImageData"]["Origin"] == "3.5 -1 0");
+    CHECK(document.elements["ImageData"]["Spacing"] == "1 1 1");
     CHECK(document.arrays.size() == 2);
     CHECK(document.arrays["U"].type == "Float32");
     CHECK(numbers<float>(document.arrays["U"]) == std::vector<float>{0.5, 1.5, 2.5, 3.5, 4.5, 5.5});
     CHECK(numbers<float>(document.arrays["V"])[5] == -1.25f);
-    CHECK_THAT(test::get(scratch / "a.vti"), Contains("Name=\"TimeValue\"") && Contains(">42<"));
+}
+
+TEST_CASE("the time of VTK files is the simulated one, through phases of different time steps") {
+    const Scratch scratch;
+    auto experiment = test::experiment();
+    experiment.phases[0].time_step = 0.25;  // iterations 0 to 99
+    experiment.phases[1].time_step = 2.0;
+    auto lattice = test::lattice(3, 2);
+    auto cells = test::cells({0, 2}, {0, 0});
+    lattice.iteration = 110;
+
+    write_vti(scratch / "a.vti", lattice, experiment, Precision::single_);
+    write_vtp(scratch / "a.vtp", cells, experiment, Precision::single_);
+
+    const auto field = [](const std::string& name, const std::string& value) {
+        return Contains("Name=\"" + name + "\" NumberOfTuples=\"1\" format=\"ascii\">" + value + "<");
+    };
+    CHECK_THAT(test::get(scratch / "a.vti"), field("TimeValue", "45") && field("iteration", "110"));
+    CHECK_THAT(test::get(scratch / "a.vtp"), field("TimeValue", "10.5") && field("iteration", "42"));
 }
 
 TEST_CASE("a double run's .vti holds doubles, whatever their number") {
@@ -136,7 +154,7 @@ TEST_CASE("free cells as .vtp: points, vertices and all arrays") {
     auto cells = test::cells({1, 2.5}, {-1, 3});
     cells.polarity_x = {0.6, 0};
     cells.polarity_y = {0.8, 0};
-    cells.birth = {0, 12};
+    cells.birth = {0, 4294967295u};
     cells.fixed = {1, 0};
 
     write_vtp(scratch / "a.vtp", cells, test::experiment(), Precision::single_);
@@ -152,7 +170,7 @@ TEST_CASE("free cells as .vtp: points, vertices and all arrays") {
     CHECK(numbers<std::int64_t>(document.arrays["connectivity"]) == std::vector<std::int64_t>{0, 1});
     CHECK(numbers<std::int64_t>(document.arrays["offsets"]) == std::vector<std::int64_t>{1, 2});
     CHECK(numbers<std::int64_t>(document.arrays["id"]) == std::vector<std::int64_t>{0, 1});
-    CHECK(numbers<std::int32_t>(document.arrays["birth"]) == cells.birth);
+    CHECK(numbers<std::int64_t>(document.arrays["birth"]) == std::vector<std::int64_t>{0, 4294967295});
     CHECK(numbers<std::int32_t>(document.arrays["neighbours"]) == cells.neighbours);
     CHECK(numbers<std::uint8_t>(document.arrays["fixed"]) == cells.fixed);
     CHECK(numbers<float>(document.arrays["polarity"]) == std::vector<float>{0.6f, 0.8f, 0, 0, 0, 0});

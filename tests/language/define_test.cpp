@@ -86,8 +86,8 @@ TEST_CASE("stencils of a matrix") {
 TEST_CASE("use chemical sets concentration, rate, both or none") {
     const Experiment e = parsed_on_grid(
         "use chemical V\n"
-        "use chemical U conc 4 dev 2 diff 0.25 dev 0.5\n"
-        "use chemical V diff -0.01 conc +1\n");
+        "use chemical U conc 4 dev 2 diff 0.75 dev 0.5\n"
+        "use chemical V diff .01 conc +1\n");
 
     const auto use = [&](std::size_t i) { return std::get<UseChemical>(e.prepattern.at(i)); };
     CHECK(use(1).chemical == 1);
@@ -96,11 +96,11 @@ TEST_CASE("use chemical sets concentration, rate, both or none") {
     CHECK(use(2).chemical == 0);
     CHECK(use(2).conc->value == 4.0);
     CHECK(use(2).conc->deviation == 2.0);
-    CHECK(use(2).diff->value == 0.25);
+    CHECK(use(2).diff->value == 0.75);
     CHECK(use(2).diff->deviation == 0.5);
     CHECK(use(3).conc->value == 1.0);
     CHECK(use(3).conc->deviation == 0.0);
-    CHECK(use(3).diff->value == -0.01);
+    CHECK(use(3).diff->value == 0.01);
 }
 
 TEST_CASE("use polarity and use seed") {

@@ -1,6 +1,7 @@
 // Experiments, shapes and pictures as files.
 #include "core/error.hpp"
 #include "core/prepattern.hpp"
+#include "io/sha256.hpp"
 #include "language/parse.hpp"
 
 #include <catch2/catch.hpp>
@@ -128,6 +129,31 @@ TEST_CASE("pictures that do not fit or cannot be read say where they are named")
     CHECK(message("start.npy", "create sqr_grid 3 2") == "(none)");
     CHECK_THAT(message("none.npy", "create matrix 3 2"), Catch::StartsWith(place) && Catch::Contains("none.npy"));
     CHECK_THAT(message("one.pex", "create matrix 3 2"), Catch::StartsWith(place) && Catch::Contains("one.pex"));
+}
+
+TEST_CASE("an experiment names the files it starts from with their sums, pictures only where they are read") {
+    const Folder folder;
+    folder.write("start.npy", small_array());
+    folder.write("body.shp", "oo\n");
+    const std::string picture = "define chemical U conc \"start.npy\"\ncreate matrix 3 2\n";
+    const fs::path lattice = folder.write("one.pex", picture);
+    const fs::path cells = folder.write("two.pex", "define chemical U\ncreate shape \"body.shp\"\n");
+
+    const Experiment read = parse_experiment_file(lattice);
+    const Experiment shape = parse_experiment_file(cells);
+    fs::remove(folder / "start.npy");
+    const Experiment left_out = parse_experiment_file(lattice, nullptr, StartPictures::left_out);
+
+    REQUIRE(read.inputs.size() == 1);
+    CHECK(read.inputs[0].name == "start.npy");
+    CHECK(read.inputs[0].sha256 == sha256(small_array()));
+    REQUIRE(shape.inputs.size() == 1);
+    CHECK(shape.inputs[0].name == "body.shp");
+    CHECK(shape.inputs[0].sha256 == sha256("oo\n"));
+    REQUIRE(left_out.inputs.size() == 1);
+    CHECK(left_out.inputs[0].sha256.empty());
+    CHECK(left_out.chemicals[0].initial == nullptr);
+    CHECK(message_of_file(lattice).find("start.npy") != std::string::npos);
 }
 
 TEST_CASE("experiments that cannot be read") {

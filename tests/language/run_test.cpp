@@ -139,6 +139,27 @@ TEST_CASE("outputs in order, each with its range and map") {
     CHECK(e.outputs[2].colormap.stops.size() == 2);
 }
 
+TEST_CASE("maps stand beside pictures: the first output of colours is the first picture") {
+    const Experiment e = parsed_on_grid(
+        "output U normal -2.5\noutput V height range 1 3\noutput V range each\noutput U\noutput U height\n");
+    const Experiment alone = parsed_on_grid("colormap select gradient\noutput V height");
+    const Experiment cells = parsed("define chemical U\ncreate hex_grid 3 3\noutput U height\ntexture size 8 8\n");
+
+    REQUIRE(e.outputs.size() == 5);
+    CHECK(e.outputs[0].drawing == Drawing::normal);
+    CHECK(e.outputs[0].strength == -2.5);
+    CHECK(e.outputs[1].drawing == Drawing::height);
+    CHECK(e.outputs[1].range == std::array<double, 2>{1.0, 3.0});
+    CHECK(e.outputs[2].drawing == Drawing::colours);
+    CHECK(e.outputs[2].own_range);
+    CHECK_FALSE(e.outputs[3].own_range);
+    REQUIRE(alone.outputs.size() == 2);
+    CHECK(alone.outputs[0].drawing == Drawing::colours);
+    CHECK(alone.outputs[0].colormap.name == "gradient");
+    CHECK(alone.outputs[1].drawing == Drawing::height);
+    CHECK(cells.outputs.size() == 2);
+}
+
 TEST_CASE("named colour maps") {
     for (const std::string name : {"heat", "inferno", "viridis", "magma", "gray"}) {
         CHECK(parsed_on_grid("colormap select " + name).outputs.at(0).colormap.name == name);

@@ -6,9 +6,11 @@
 
 #include <catch2/catch.hpp>
 
+#include <chrono>
 #include <filesystem>
 #include <fstream>
 #include <iterator>
+#include <string>
 
 using namespace pelage;
 using Catch::Matchers::Contains;
@@ -130,4 +132,19 @@ TEST_CASE("kernel files are found, and every place in them must be filled") {
     REQUIRE_THROWS_AS(kernel_text("no_such.cl"), Error);
     REQUIRE_THROWS_AS(source.file("lattice.cl", {}), Error);
     REQUIRE_THROWS_AS(source.file("prelude.cl", {{"rules", "x"}}), Error);
+}
+
+// The number makes it a program that no cache has. A process that ended while PoCL compiles it would be aborted.
+TEST_CASE("a session that goes waits for what it has launched") {
+    cl::Event launched;
+    {
+        const Session on = session();
+        const auto number = std::chrono::steady_clock::now().time_since_epoch().count();
+        cl::Kernel kernel(on.build("kernel void f(global long* a) { a[0] = " + std::to_string(number) + "; }"), "f");
+        const cl::Buffer buffer = on.buffer(8, "number");
+        kernel.setArg(0, buffer);
+        on.queue().enqueueNDRangeKernel(kernel, cl::NullRange, cl::NDRange(1), cl::NullRange, nullptr, &launched);
+        on.queue().flush();
+    }
+    CHECK(launched.getInfo<CL_EVENT_COMMAND_EXECUTION_STATUS>() == CL_COMPLETE);
 }

@@ -13,18 +13,22 @@ using namespace pelage;
 
 TEST_CASE("free cells: each feature on the device equals the reference") {
     const auto& feature = GENERATE(from_range(verify::cell_cases()));
-    CAPTURE(feature.name);
+    CellsOptions options;
+    options.together = GENERATE(false, true);
+    CAPTURE(feature.name, *options.together);
     const auto experiment = test::experiment(feature.text());
 
     const auto expected = test::on_reference(experiment);
-    const auto found = test::on_device(experiment);
+    const auto found = test::on_device(experiment, options);
 
     test::check_equal_runs(*expected, *found, 40, 8);
 }
 
 TEST_CASE("free cells: many features at once, in float and double") {
     const Precision precision = GENERATE(Precision::single_, Precision::double_);
-    CAPTURE(static_cast<int>(precision));
+    CellsOptions options;
+    options.together = GENERATE(false, true);
+    CAPTURE(static_cast<int>(precision), *options.together);
     std::string lines = verify::cell_tissue;
     for (const verify::CellCase& feature : verify::cell_cases()) {
         if (feature.lines.rfind("rule", 0) == 0) lines += feature.lines;
@@ -32,7 +36,7 @@ TEST_CASE("free cells: many features at once, in float and double") {
     const auto experiment = test::experiment(lines);
 
     const auto expected = test::on_reference(experiment, precision);
-    const auto found = test::on_device(experiment, {}, precision);
+    const auto found = test::on_device(experiment, options, precision);
 
     test::check_equal_runs(*expected, *found, 30, 6);
 }
@@ -61,7 +65,9 @@ TEST_CASE("free cells: mirror pairs, also where pairs share cells") {
     initial.mirrors = {{0, 12}, {1, 11}, {11, 2}, {100, 5}, {5, 12}, {7, 8}};
 
     const auto expected = make_reference_cells(experiment, initial, Precision::single_);
-    const auto found = test::on_device(experiment);
+    CellsOptions options;
+    options.together = GENERATE(false, true);
+    const auto found = test::on_device(experiment, options);
     found->write(initial);
 
     test::check_equal_runs(*expected, *found, 40, 8);

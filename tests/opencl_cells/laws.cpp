@@ -28,13 +28,20 @@ rule always react U V scale 0.05 turing alpha 16 beta 12
 rule from 20 probability 0.005 divide direction 0 dev 180
 )";
 
-Snapshot after(std::uint64_t iterations, const CellsOptions& options = {}) {
+// One iteration a launch, unless asked otherwise.
+CellsOptions alone() {
+    CellsOptions options;
+    options.together = false;
+    return options;
+}
+
+Snapshot after(std::uint64_t iterations, const CellsOptions& options = alone()) {
     const auto tissue = test::on_device(test::experiment(growing), options);
     tissue->advance(iterations);
     return tissue->read();
 }
 
-std::unique_ptr<Tissue> with_options(const OpenclOptions& changed, const CellsOptions& options = {}) {
+std::unique_ptr<Tissue> with_options(const OpenclOptions& changed, const CellsOptions& options = alone()) {
     const auto experiment = test::experiment(growing);
     const auto session = std::make_shared<const Session>(test::session().info(), changed);
     return make_opencl_cells(session, experiment, initial_state(*experiment), options);
@@ -45,19 +52,19 @@ std::unique_ptr<Tissue> with_options(const OpenclOptions& changed, const CellsOp
 TEST_CASE("free cells: skin, batch and list capacity change no bit") {
     const Snapshot expected = after(250);
     const Snapshot start = after(0);
-    CellsOptions options;
+    CellsOptions options = alone();
 
     CHECK(expected.cells() > 2 * start.cells());
     for (const double skin : {0.0, 0.001, 1.5, 4.0}) {
         options.skin = skin;
         CHECK(test::difference(expected, after(250, options)) == test::no_difference);
     }
-    options = {};
+    options = alone();
     for (const std::size_t batch : {1u, 2u, 7u, 100u}) {
         options.batch = batch;
         CHECK(test::difference(expected, after(250, options)) == test::no_difference);
     }
-    options = {};
+    options = alone();
     options.list_capacity = 0;  // the least is taken, and grows
     options.skin = 2.5;
     CHECK(test::difference(expected, after(250, options)) == test::no_difference);
@@ -70,7 +77,7 @@ TEST_CASE("free cells: the shape of the work changes no bit") {
     OpenclOptions options;
     options.width = width;
     options.work_group = 3 * width;
-    CellsOptions as_on_a_gpu;
+    CellsOptions as_on_a_gpu = alone();
     as_on_a_gpu.tuning = NeighbourTuning{1, 50, 3, 4, 16};
 
     const auto alike = with_options(options);
@@ -106,12 +113,12 @@ TEST_CASE("free cells: a run resumed from its state changes no bit") {
 TEST_CASE("free cells: what is written is read back") {
     const auto experiment = test::experiment(growing);
     Snapshot state = initial_state(*experiment);
-    state.iteration = 5;
+    state.iteration = 4294967290;
     for (std::size_t i = 0; i < state.cells(); ++i) {
         const auto value = static_cast<double>(i);
         state.polarity_x[i] = value / 64;
         state.polarity_y[i] = -value / 32;
-        state.birth[i] = static_cast<std::int32_t>(i) - 7;
+        state.birth[i] = i < 7 ? 4294967290u : static_cast<std::uint32_t>(i) - 7;
         state.neighbours[i] = static_cast<std::int32_t>(i % 9);
         state.fixed[i] = i % 2;
         state.conc[1][i] = value / 8;
@@ -218,6 +225,24 @@ TEST_CASE("free cells: the first value that is not finite is found") {
     REQUIRE(tissue->non_finite());
     CHECK(tissue->non_finite()->chemical == 1);
     CHECK(tissue->non_finite()->cell == 50);
+}
+
+TEST_CASE("free cells: a NaN is found in fast arithmetic too, whose compiler may take all for finite") {
+    const auto experiment = test::experiment(growing);
+    OpenclOptions fast;
+    fast.fast = true;
+    const auto tissue = with_options(fast);
+    Snapshot state = tissue->read();
+    for (const double value : {std::numeric_limits<double>::quiet_NaN(), std::numeric_limits<double>::infinity()}) {
+        CHECK_FALSE(tissue->non_finite());
+        state.conc[1][50] = value;
+        tissue->write(state);
+        REQUIRE(tissue->non_finite());
+        CHECK(tissue->non_finite()->chemical == 1);
+        CHECK(tissue->non_finite()->cell == 50);
+        state.conc[1][50] = 1;
+        tissue->write(state);
+    }
 }
 
 TEST_CASE("free cells: what cannot run is refused") {

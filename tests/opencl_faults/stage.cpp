@@ -4,6 +4,7 @@
 #include "app/runner.hpp"
 #include "core/error.hpp"
 #include "io/checkpoint.hpp"
+#include "opencl/pocl.hpp"
 
 #include <catch2/catch.hpp>
 #include <nlohmann/json.hpp>
@@ -119,7 +120,18 @@ Variable::~Variable() {
     if (!before_) unsetenv(name_);
 }
 
-Stage::Stage(Play play) : temporary_("TMPDIR", folder_.path().c_str()), options_(options_for(folder_, play)) {
+namespace {
+
+// PoCL compiles in a folder that it keeps for the whole program: not in that of a stage, which goes.
+const char* name_of_temporary_folder() {
+    pelage::prepare_pocl();
+    return "TMPDIR";
+}
+
+}  // namespace
+
+Stage::Stage(Play play)
+    : temporary_(name_of_temporary_folder(), folder_.path().c_str()), options_(options_for(folder_, play)) {
     if (play != Play::lattice_on_gpu && play != Play::cells_on_gpu) return;
     machine.answer(CL_DEVICE_TYPE, cl_device_type{CL_DEVICE_TYPE_GPU});
 }
@@ -138,6 +150,8 @@ std::vector<std::string> Stage::damage() const {
     std::vector<std::string> found;
     if (!std::filesystem::exists(results())) return found;
     for (const std::string& name : names_in(results())) {
+        // By these the next run tells what a run that broke off has left.
+        if (name == ".pelage-results" || name == ".pelage-reel") continue;
         const auto known = good_.find(name);
         if (known == good_.end()) {
             found.push_back(name + " belongs nowhere");

@@ -1,5 +1,6 @@
 // Every published experiment at hand runs on both backends, lattices and free cells alike, to the same bits.
 #include "core/error.hpp"
+#include "core/seed.hpp"
 #include "language/parse.hpp"
 #include "opencl/backend.hpp"
 #include "reference/backend.hpp"
@@ -39,7 +40,8 @@ void check_share(std::size_t share) {
     REQUIRE(files.size() > shares);
     for (std::size_t i = share; i < files.size(); i += shares) {
         INFO(files[i].string());
-        const Experiment experiment = parse_experiment_file(files[i]);
+        Experiment experiment = parse_experiment_file(files[i]);
+        settle_seed(experiment);  // the same for both, where it is left to the clock
         REQUIRE(device->why_not(experiment).empty());
         const auto expected = reference->make_tissue(experiment);
         const auto found = device->make_tissue(experiment);

@@ -74,14 +74,15 @@ TEST_CASE("expansion then projection returns the original, in every field") {
     for (const bool column : {true, false}) {
         const Experiment experiment = two_chemicals(7, 5);
         Snapshot state = test::blank(experiment);
+        state.iteration = 35;
         const auto field = [](std::uint32_t seed) { return test::scatter(35, -1, 1, seed); };
         state.conc = {field(1), field(2)};
-        state.diff = {field(3), field(4)};
+        state.diff = {test::scatter(35, 0, 1, 3), test::scatter(35, 0, 1, 4)};
         state.mappings = {field(5)};
         state.polarity_x = field(6);
         state.polarity_y = field(7);
         for (std::size_t cell = 0; cell < 35; ++cell) {
-            state.birth[cell] = static_cast<std::int32_t>(cell);
+            state.birth[cell] = static_cast<std::uint32_t>(cell);
             state.neighbours[cell] = static_cast<std::int32_t>(cell % 9);
             state.fixed[cell] = cell % 3 == 0;
         }
@@ -116,15 +117,15 @@ TEST_CASE("a duplicate is born in the iteration in which it is inserted") {
     const Experiment experiment = test::matrix(3, 2);
     Snapshot state = test::blank(experiment);
     state.iteration = 7;
-    state.birth = {-1, -2, -3, -4, -5, -6};
+    state.birth = {1, 2, 3, 4, 5, 6};
     const auto tissue = test::start(experiment, state);
 
     tissue->expand({true, {0, 2}});
-    CHECK(tissue->read().birth == std::vector<std::int32_t>{-1, 7, -2, -3, -4, -5, -6, 7});
+    CHECK(tissue->read().birth == std::vector<std::uint32_t>{1, 7, 2, 3, 4, 5, 6, 7});
 
     tissue->advance(1);
     tissue->expand({false, {1, 0, 1, 0}});
-    CHECK(tissue->read().birth == std::vector<std::int32_t>{-1, 7, -2, -3, -4, 8, -6, 8, 8, -5, 8, 7});
+    CHECK(tissue->read().birth == std::vector<std::uint32_t>{1, 7, 2, 3, 4, 8, 6, 8, 8, 5, 8, 7});
 }
 
 TEST_CASE("a stretched matrix: concentrations are interpolated, all else is the nearest element's") {
@@ -136,13 +137,14 @@ TEST_CASE("a stretched matrix: concentrations are interpolated, all else is the 
     growth.rows = 1;
     growth.interpolation = Interpolation::bilinear;
     Rule rule = test::rule(growth);
-    rule.until = 0;
+    rule.from = rule.until = 2;
     experiment.rules = {rule};
     Snapshot state = test::blank(experiment);
     state.conc = {{1, 3}, {1, 5}};
     state.diff = {{0, 0}, {0, 0}};
     state.mappings = {{10, 20}};
-    state.birth = {-1, -2};
+    state.iteration = 2;
+    state.birth = {1, 2};
     state.fixed = {0, 1};
 
     const Snapshot grown = test::after(1, experiment, state);
@@ -152,7 +154,7 @@ TEST_CASE("a stretched matrix: concentrations are interpolated, all else is the 
     CHECK(grown.conc[0] == Values{1, 1.5, 2.5, 3, 1, 1.5, 2.5, 3});
     CHECK(grown.conc[1] == Values{1, 2, 2, 2, 1, 2, 2, 2});  // at its limit
     CHECK(grown.mappings[0] == Values{10, 10, 20, 20, 10, 10, 20, 20});
-    CHECK(grown.birth == std::vector<std::int32_t>{-1, -1, -2, -2, -1, -1, -2, -2});
+    CHECK(grown.birth == std::vector<std::uint32_t>{1, 1, 2, 2, 1, 1, 2, 2});
     CHECK(grown.fixed == std::vector<std::uint8_t>{0, 0, 1, 1, 0, 0, 1, 1});
     CHECK(Values(grown.x.begin(), grown.x.begin() + 4) == Values{-3, -1, 1, 3});
 }

@@ -177,7 +177,8 @@ TEST_CASE("mappings are linear, clamped, per cell, read at once and kept") {
 TEST_CASE("places, ages and counts as parameters") {
     Experiment experiment = test::matrix(3, 2);
     Snapshot state = test::blank(experiment);
-    state.birth = {-4, 0, 0, 0, 0, 7};
+    state.iteration = 7;
+    state.birth = {4, 0, 0, 0, 0, 7};
     const auto read = [&](Quantity quantity, std::uint64_t iteration) {
         experiment.rules = {test::rule(Set{Target::concentration, 0, {quantity}})};
         return test::after(iteration + 1, experiment, state).conc[0];
@@ -189,9 +190,9 @@ TEST_CASE("places, ages and counts as parameters") {
     CHECK(read(Quantity::row, 0) == Values{0, 0, 0, 1, 1, 1});
     CHECK(read(Quantity::columns, 0) == Values(6, 3));
     CHECK(read(Quantity::rows, 0) == Values(6, 2));
-    CHECK(read(Quantity::iteration, 5) == Values(6, 5));
-    CHECK(read(Quantity::birth, 0) == Values{-4, 0, 0, 0, 0, 7});
-    CHECK(read(Quantity::age, 5) == Values{9, 5, 5, 5, 5, -2});
+    CHECK(read(Quantity::iteration, 5) == Values(6, 12));
+    CHECK(read(Quantity::birth, 0) == Values{4, 0, 0, 0, 0, 7});
+    CHECK(read(Quantity::age, 5) == Values{8, 12, 12, 12, 12, 5});
     CHECK(read(Quantity::neighbours, 0) == Values(6, 0));
     CHECK(read(Quantity::neighbours, 1) == Values{3, 5, 3, 3, 5, 3});
 }

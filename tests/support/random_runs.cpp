@@ -61,7 +61,8 @@ RandomFiles::RandomFiles() {
     write_npy(folder_ / "field.npy", {rows, columns}, field(1));
     const std::vector<double> u = field(2);
     const std::vector<double> v = field(3);
-    write_exr(folder_ / "field.exr", columns, rows, {{"U", u}, {"V", v}}, {});
+    // Without a channel's name Y is meant.
+    write_exr(folder_ / "field.exr", columns, rows, {{"U", u}, {"Y", v}}, {});
     Picture picture(columns, rows);
     Dice dice(4);
     for (Rgb& pixel : picture.pixels) {
@@ -81,7 +82,7 @@ void RandomFiles::offer(RandomLimits& limits) const {
         limits.shapes.push_back({name, language::count_letters(language::read_shape(folder_ / name))});
     }
     limits.pictures = {{"field.npy", columns, rows, {}},
-                       {"field.exr", columns, rows, {"U", "V"}},
+                       {"field.exr", columns, rows, {"U", "Y"}},
                        {"field.png", columns, rows, {"R", "G", "B"}}};
 }
 

@@ -1,0 +1,31 @@
+# The command and what stands behind it: checks, tuning, benchmarks.
+find_package(CLI11 REQUIRED)
+
+# The table of cases, their checks on a device, and what is told about them; used by the command, tests and benchmarks.
+file(GLOB verify_sources CONFIGURE_DEPENDS host/verify/*.cpp)
+add_library(pelage_verify STATIC ${verify_sources})
+target_compile_definitions(pelage_verify PRIVATE PELAGE_VERSION="${PROJECT_VERSION}")
+target_link_libraries(pelage_verify PUBLIC pelage OpenCL::OpenCL PRIVATE pelage_flags nlohmann_json::nlohmann_json)
+
+# The search for how a device carries out a lattice fastest.
+file(GLOB tune_sources CONFIGURE_DEPENDS host/tune/*.cpp)
+add_library(pelage_tune STATIC ${tune_sources})
+target_link_libraries(pelage_tune
+  PUBLIC pelage_verify pelage OpenCL::OpenCL PRIVATE pelage_flags nlohmann_json::nlohmann_json)
+
+include(cmake/Bench.cmake)
+
+# The command: all but main() in a library, so that tests can call its parts.
+file(GLOB app_sources CONFIGURE_DEPENDS host/app/*.cpp)
+list(REMOVE_ITEM app_sources ${PROJECT_SOURCE_DIR}/host/app/main.cpp)
+add_library(pelage_app STATIC ${app_sources})
+target_compile_definitions(pelage_app PRIVATE PELAGE_VERSION="${PROJECT_VERSION}")
+target_link_libraries(pelage_app PUBLIC pelage_tune pelage_verify pelage_bench pelage CLI11::CLI11 PRIVATE pelage_flags nlohmann_json::nlohmann_json)
+add_executable(pelage_command host/app/main.cpp)
+set_target_properties(pelage_command PROPERTIES OUTPUT_NAME pelage)
+target_compile_definitions(pelage_command PRIVATE PELAGE_VERSION="${PROJECT_VERSION}")
+target_link_libraries(pelage_command PRIVATE pelage_app pelage_flags)
+# The parser of the command line is large and runs once.
+set_source_files_properties(host/app/main.cpp host/app/run_command.cpp host/app/devices_command.cpp
+  host/app/check_command.cpp host/app/bench_command.cpp host/app/tune_command.cpp host/app/help_command.cpp
+  host/app/completion_command.cpp host/app/command_line.cpp host/app/validators.cpp PROPERTIES COMPILE_OPTIONS $<$<CONFIG:Release>:-O1>)

@@ -1,0 +1,30 @@
+// The whole command line: its definition, and what is said where it is wrong.
+#pragma once
+
+#include <CLI/App.hpp>
+
+#include <string>
+#include <vector>
+
+namespace pelage::app {
+
+// All subcommands and the options of `pelage` itself. A subcommand that is named runs while the command line is parsed
+// and sets the exit code.
+void define(CLI::App&, int& exit_code);
+
+// Parses, and so runs. What is wrong is told in one sentence, with the nearest word that would be right.
+int parse(CLI::App&, int argc, char** argv);
+
+// The text of --help: of the command of that name, or an overview where it is empty. Throws Error as command_named().
+std::string help_of(const CLI::App&, const std::string& command);
+
+// "pelage: TEXT" on standard error; returns bad_input.
+int complain(const std::string& text);
+
+// The subcommands that people are meant to see, in the order of --help.
+std::vector<const CLI::App*> commands_of(const CLI::App&);
+
+// Of those the one of that name. Throws Error with the nearest name.
+const CLI::App& command_named(const CLI::App&, const std::string& name);
+
+}  // namespace pelage::app

@@ -1,0 +1,159 @@
+// See reel.hpp. The file: the run's identity; then for each state iteration, columns, rows, cells (uint64), the
+// lattice's centre (two doubles) and the arrays as floats.
+#include "app/reel.hpp"
+
+#include "core/error.hpp"
+#include "io/file_bytes.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cerrno>
+#include <set>
+
+namespace pelage::app {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr const char* reel_name = ".pelage-reel";
+
+bool shared(const Output& output) { return !output.range && !output.own_range && output.drawing != Drawing::normal; }
+
+// The arrays that pictures need, in the file's order: places, polarity, and the outputs' chemicals.
+template <class State>
+auto columns_of(State& state, const Experiment& experiment) {
+    std::vector<decltype(&state.x)> columns;
+    if (!state.lattice() || experiment.texture) columns = {&state.x, &state.y};
+    if (!state.lattice()) columns.insert(columns.end(), {&state.polarity_x, &state.polarity_y});
+    std::set<std::size_t> chemicals;
+    for (const Output& output : experiment.outputs) {
+        if (shared(output) && chemicals.insert(output.chemical).second) columns.push_back(&state.conc[output.chemical]);
+    }
+    return columns;
+}
+
+template <class T>
+bool read(std::FILE* file, std::vector<T>& values) {
+    return std::fread(values.data(), sizeof(T), values.size(), file) == values.size();
+}
+
+}  // namespace
+
+Reel::Reel(fs::path folder, const Experiment& experiment, std::string identity, std::optional<std::uint64_t> resumed_at)
+    : path_(std::move(folder) / reel_name), experiment_(experiment), identity_(std::move(identity)) {
+    for (const Output& output : experiment.outputs)
+        ranges_.push_back(shared(output) ? std::optional<ValueRange>(ValueRange{}) : std::nullopt);
+    if (resumed_at && shares()) take_up(*resumed_at);
+}
+
+bool Reel::shares() const {
+    return std::any_of(ranges_.begin(), ranges_.end(), [](const auto& range) { return range.has_value(); });
+}
+
+void Reel::fail() const { throw Error(fmt::format("cannot write '{}': {}", path_.string(), system_reason(errno))); }
+
+void Reel::open(bool anew) {
+    file_.reset(std::fopen(path_.c_str(), anew ? "w+b" : "r+b"));
+    if (!file_ && anew) fail();
+    if (anew && std::fwrite(identity_.data(), 1, identity_.size(), file_.get()) != identity_.size()) fail();
+}
+
+void Reel::take_up(std::uint64_t resumed_at) {
+    open(false);
+    if (!file_) return;
+    std::vector<char> identity(identity_.size());
+    long end = 0;
+    if (read(file_.get(), identity) && std::equal(identity.begin(), identity.end(), identity_.begin())) {
+        end = std::ftell(file_.get());
+        while (const auto state = read_record()) {
+            if (state->iteration > resumed_at) break;
+            widen(*state);
+            records_.push_back({end, ranges_});
+            end = std::ftell(file_.get());
+        }
+    }
+    std::error_code failure;
+    file_.reset();
+    if (end != 0) fs::resize_file(path_, static_cast<std::uintmax_t>(end), failure);
+    if (end == 0 || failure) records_.clear();
+    if (!records_.empty()) open(false);
+}
+
+std::optional<Snapshot> Reel::read_record() {
+    std::array<std::uint64_t, 4> shape{};
+    std::array<double, 2> centre{};
+    if (std::fread(shape.data(), sizeof shape, 1, file_.get()) != 1) return std::nullopt;
+    if (std::fread(centre.data(), sizeof centre, 1, file_.get()) != 1 || shape[3] > largest_cell_count)
+        return std::nullopt;
+    Snapshot state;
+    state.iteration = shape[0];
+    state.columns = shape[1];
+    state.rows = shape[2];
+    state.origin_x = centre[0];
+    state.origin_y = centre[1];
+    const auto cells = static_cast<std::size_t>(shape[3]);
+    for (auto* all : {&state.conc, &state.diff}) all->assign(experiment_.chemicals.size(), std::vector(cells, 0.0));
+    for (auto* one : {&state.x, &state.y, &state.polarity_x, &state.polarity_y}) one->assign(cells, 0.0);
+    state.mappings.assign(experiment_.mappings.size(), std::vector(cells, 0.0));
+    state.birth.assign(cells, 0);
+    state.neighbours.assign(cells, 0);
+    state.fixed.assign(cells, 0);
+    std::vector<float> values(cells);
+    for (auto* column : columns_of(state, experiment_)) {
+        if (!read(file_.get(), values)) return std::nullopt;
+        column->assign(values.begin(), values.end());
+    }
+    return state;
+}
+
+void Reel::write_record(const Snapshot& state) {
+    const std::array<std::uint64_t, 4> shape{state.iteration, state.columns, state.rows, state.cells()};
+    const std::array<double, 2> centre{state.origin_x, state.origin_y};
+    if (std::fseek(file_.get(), 0, SEEK_END) != 0) fail();
+    records_.push_back({std::ftell(file_.get()), ranges_});
+    if (std::fwrite(shape.data(), sizeof shape, 1, file_.get()) != 1) fail();
+    if (std::fwrite(centre.data(), sizeof centre, 1, file_.get()) != 1) fail();
+    std::vector<float> values(state.cells());
+    for (const auto* column : columns_of(state, experiment_)) {
+        std::transform(column->begin(), column->end(), values.begin(),
+                       [](double value) { return static_cast<float>(value); });
+        if (std::fwrite(values.data(), sizeof(float), values.size(), file_.get()) != values.size()) fail();
+    }
+    if (std::fflush(file_.get()) != 0) fail();
+}
+
+void Reel::widen(const Snapshot& state) {
+    for (std::size_t i = 0; i < ranges_.size(); ++i) {
+        if (ranges_[i]) ranges_[i]->widen(range_of(state.conc[experiment_.outputs[i].chemical]));
+    }
+}
+
+SharedRanges Reel::keep(const Snapshot& state) {
+    if (!shares()) return ranges_;
+    widen(state);
+    if (!file_) open(true);
+    write_record(state);
+    return ranges_;
+}
+
+void Reel::redraw(const std::function<void(const Snapshot&, const SharedRanges&)>& draw) {
+    for (Record& record : records_) {
+        if (record.drawn == ranges_) continue;
+        std::optional<Snapshot> state;
+        if (std::fseek(file_.get(), record.begin, SEEK_SET) == 0) state = read_record();
+        if (!state) throw Error(fmt::format("cannot read '{}' again", path_.string()));
+        draw(*state, ranges_);
+        record.drawn = ranges_;
+    }
+}
+
+void Reel::discard() {
+    file_.reset();
+    std::error_code ignored;
+    fs::remove(path_, ignored);
+}
+
+}  // namespace pelage::app

@@ -1,0 +1,78 @@
+// See validators.hpp.
+#include "app/validators.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+#include <optional>
+#include <string_view>
+
+namespace pelage::app {
+
+namespace {
+
+struct Whole {
+    bool negative = false;
+    std::uint64_t size = 0;
+};
+
+template <class Number>
+std::optional<Number> read(std::string_view text) {
+    Number value{};
+    const auto [end, failure] = std::from_chars(text.data(), text.data() + text.size(), value);
+    if (failure != std::errc{} || end != text.data() + text.size()) return {};
+    return value;
+}
+
+std::optional<Whole> to_whole(std::string_view text) {
+    if (text.starts_with('+')) text.remove_prefix(1);
+    Whole whole{text.starts_with('-'), 0};
+    if (whole.negative) text.remove_prefix(1);
+    if (text.empty() || text[0] == '-' || text[0] == '+') return {};
+    if (const auto digits = read<std::uint64_t>(text)) {
+        whole.size = *digits;
+        return whole;
+    }
+    constexpr double exact = 9007199254740992.0;  // 2^53: above it a double leaves whole numbers out
+    const auto value = read<double>(text);
+    if (!value || !std::isfinite(*value) || *value > exact || *value != std::floor(*value)) return {};
+    whole.size = static_cast<std::uint64_t>(*value);
+    return whole;
+}
+
+bool within(const Whole& whole, std::int64_t smallest, std::uint64_t largest) {
+    if (!whole.negative || whole.size == 0)
+        return whole.size <= largest && (smallest <= 0 || whole.size >= static_cast<std::uint64_t>(smallest));
+    // The most negative number has no positive counterpart.
+    return smallest < 0 && whole.size - 1 <= static_cast<std::uint64_t>(-(smallest + 1));
+}
+
+}  // namespace
+
+CLI::Validator whole_number(std::int64_t smallest, std::uint64_t largest) {
+    const auto bring = [smallest, largest](std::string& word) -> std::string {
+        const std::optional<Whole> whole = to_whole(word);
+        if (!whole || !within(*whole, smallest, largest)) {
+            return fmt::format("'{}' is not a whole number from {} to {}", word, smallest, largest);
+        }
+        word = fmt::format("{}{}", whole->negative && whole->size != 0 ? "-" : "", whole->size);
+        return {};
+    };
+    return {bring, ""};
+}
+
+CLI::Validator one_of(const std::vector<std::string>& words) { return CLI::IsMember(words).description(""); }
+
+CLI::Validator trimmed() {
+    const auto trim = [](std::string& word) -> std::string {
+        const std::size_t first = std::min(word.find_first_not_of(" \t"), word.size());
+        word.erase(0, first);
+        word.erase(word.find_last_not_of(" \t") + 1);
+        return {};
+    };
+    return {trim, ""};
+}
+
+}  // namespace pelage::app

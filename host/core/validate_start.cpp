@@ -1,0 +1,94 @@
+// validate()'s part about the tissue's start: places, amounts, sizes, and what start_faults() refuses.
+#include "core/checks.hpp"
+#include "core/prepattern.hpp"
+#include "core/starts.hpp"
+#include "core/visit.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <variant>
+
+namespace pelage {
+
+namespace {
+
+class StartChecks : public Checks {
+public:
+    using Checks::Checks;
+
+    void check() const {
+        for (const Statement& statement : experiment_.prepattern) {
+            std::visit([&](const auto& one) { check_statement(one); }, statement);
+        }
+        check_domain(experiment_.domain);
+        const std::size_t cells = count_cells(experiment_);
+        if (cells == 0) fail("no cells are created; `create` some");
+        check_size(cells, 1);
+        for (const StartFault& fault : start_faults(experiment_)) {
+            // A state built by hand may bring what the experiment does not tell.
+            if (fault.refused && !fault.untold) fail(fault.text);
+        }
+    }
+
+private:
+    void check_spread(const Spread& spread, const char* what) const {
+        check_number(spread.value, what);
+        check_deviation(spread.deviation);
+    }
+    void check_place(double x, double y) const {
+        check_number(x, "a place");
+        check_number(y, "a place");
+    }
+
+    void check_statement(const UseChemical& use) const {
+        check_chemical(use.chemical, "a `use`");
+        if (use.conc) check_spread(*use.conc, "a concentration");
+        if (use.diff) check_spread(*use.diff, "a diffusion rate");
+    }
+    void check_statement(const UsePolarity& use) const {
+        if (use.degrees) check_spread(*use.degrees, "a polarity");
+    }
+    void check_statement(const UseSeed&) const {}
+    void check_statement(const CreateCell& cell) const { check_place(cell.x, cell.y); }
+    void check_statement(const CreateGrid& grid) const {
+        check_size(grid.columns, std::max<std::size_t>(grid.rows, 1));
+        check_place(grid.x, grid.y);
+        check_deviation(grid.deviation);
+    }
+    void check_statement(const CreateMatrix& matrix) const {
+        check_size(matrix.columns, matrix.rows);
+        check_place(matrix.x, matrix.y);
+    }
+    void check_statement(const CreateShape& shape) const { check_place(shape.x, shape.y); }
+    void check_statement(const SetCells& set) const {
+        std::visit(Overloaded{[&](const SetConcentration& conc) {
+                                  check_chemical(conc.chemical, "a `set`");
+                                  check_spread(conc.value, "a concentration");
+                              },
+                              [&](const SetRate& rate) {
+                                  check_chemical(rate.chemical, "a `set`");
+                                  check_spread(rate.value, "a diffusion rate");
+                              },
+                              [&](const SetPolarity& polarity) {
+                                  if (polarity.degrees) check_spread(*polarity.degrees, "a polarity");
+                              },
+                              [](const SetFixed&) {}},
+                   set.what);
+    }
+
+    void check_domain(const Domain& domain) const {
+        for (const double length : {domain.width, domain.height, domain.area}) {
+            const auto single = static_cast<float>(length);
+            if (!(single > 0.0f) || !std::isfinite(single))
+                fail(fmt::format("the domain's width, height and area must be positive; found {}", length));
+        }
+    }
+};
+
+}  // namespace
+
+void validate_start(const Experiment& experiment) { StartChecks(experiment).check(); }
+
+}  // namespace pelage

@@ -1,0 +1,210 @@
+// See result_plan.hpp.
+#include "io/result_plan.hpp"
+
+#include "io/csv.hpp"
+#include "io/exr.hpp"
+#include "io/npy.hpp"
+#include "io/parallel.hpp"
+#include "io/picture.hpp"
+#include "io/texture.hpp"
+#include "io/vtk.hpp"
+
+#include <fmt/format.h>
+#include <algorithm>
+#include <cctype>
+#include <thread>
+
+namespace pelage {
+namespace {
+
+constexpr std::size_t worth_threads = std::size_t{1} << 16;  // cells
+
+// A chemical's name as part of a file's.
+std::string file_word(const std::string& name) {
+    std::string word = name;
+    for (char& c : word) {
+        if (std::isalnum(static_cast<unsigned char>(c)) == 0 && c != '-' && c != '_') c = '_';
+    }
+    return word;
+}
+
+bool of_colours(const Output& output) { return output.drawing == Drawing::colours; }
+
+}  // namespace
+
+ResultPlan::ResultPlan(const std::filesystem::path& folder, std::string stem, const Snapshot& snapshot,
+                       const Experiment& experiment, const ResultOptions& options)
+    : folder_(folder),
+      stem_(std::move(stem)),
+      snapshot_(snapshot),
+      experiment_(experiment),
+      options_(options),
+      attributes_(options.attributes),
+      outputs_(experiment.outputs) {
+    attributes_["iteration"] = std::to_string(snapshot.iteration);
+    attributes_["time"] = fmt::format("{}", experiment.time_at(snapshot.iteration));
+    std::string& names = attributes_[exr_chemicals];
+    for (const auto& chemical : experiment.chemicals) names += (names.empty() ? "" : " ") + chemical.name;
+    if (std::none_of(outputs_.begin(), outputs_.end(), of_colours)) outputs_.emplace_back();
+    main_ = static_cast<std::size_t>(std::find_if(outputs_.begin(), outputs_.end(), of_colours) - outputs_.begin());
+}
+
+std::vector<std::string> ResultPlan::write() {
+    for (const auto format : {Format::exr, Format::png, Format::npy, Format::csv, Format::vtk}) {
+        if (wanted(format)) plan(format);
+    }
+    if (experiment_.texture && (wanted(Format::exr) || wanted(Format::png)))
+        plan_texture((*experiment_.texture)[0], (*experiment_.texture)[1]);
+    if (options_.before) options_.before(files_);
+    const bool large = snapshot_.cells() >= worth_threads || experiment_.texture;
+    run_together(work_, large ? std::thread::hardware_concurrency() : 1);
+    return files_;
+}
+
+bool ResultPlan::wanted(Format format) const {
+    return std::find(options_.formats.begin(), options_.formats.end(), format) != options_.formats.end();
+}
+
+template <class Write>
+void ResultPlan::add(const std::string& file, Write write) {
+    names_.push_back(file);
+    files_.push_back(file);
+    work_.emplace_back([this, file, write] {
+        if (options_.begins) {
+            const std::lock_guard guard(telling_);
+            options_.begins(file);
+        }
+        write(folder_ / file);
+    });
+}
+
+template <class Write>
+void ResultPlan::add_picture(std::size_t output, const std::string& file, Write write) {
+    if (!options_.ranged_only || shared_range(output)) return add(file, write);
+    names_.push_back(file);
+}
+
+// STEM.NAME.png, or STEM.NAME-2.png when that is taken.
+std::string ResultPlan::free_name(const std::string& stem, std::size_t chemical, const std::string& ending) const {
+    const auto word = file_word(experiment_.chemicals[chemical].name);
+    auto file = fmt::format("{}.{}{}", stem, word, ending);
+    for (int n = 2; std::find(names_.begin(), names_.end(), file) != names_.end(); ++n) {
+        file = fmt::format("{}.{}-{}{}", stem, word, n, ending);
+    }
+    return file;
+}
+
+std::string ResultPlan::picture_name(const std::string& stem, const Output& output, bool first) const {
+    if (output.drawing == Drawing::height) return free_name(stem, output.chemical, ".height.png");
+    if (output.drawing == Drawing::normal) return free_name(stem, output.chemical, ".normal.png");
+    return first ? stem + ".png" : free_name(stem, output.chemical, ".png");
+}
+
+void ResultPlan::plan(Format format) {
+    switch (format) {
+        case Format::exr:
+            if (!snapshot_.lattice()) return;
+            return plan_layers(stem_ + ".exr", snapshot_.columns, snapshot_.rows,
+                               {snapshot_.conc.begin(), snapshot_.conc.end()});
+        case Format::png:
+            return plan_pictures();
+        case Format::npy:
+            return plan_arrays();
+        case Format::csv:
+            return add(stem_ + ".csv",
+                       [this](const auto& path) { write_csv(path, snapshot_, experiment_, options_.precision); });
+        case Format::vtk:
+            if (snapshot_.lattice()) {
+                return add(stem_ + ".vti",
+                           [this](const auto& path) { write_vti(path, snapshot_, experiment_, options_.precision); });
+            }
+            return add(stem_ + ".vtp",
+                       [this](const auto& path) { write_vtp(path, snapshot_, experiment_, options_.precision); });
+    }
+}
+
+void ResultPlan::plan_layers(const std::string& file, std::size_t columns, std::size_t rows, const Layers& layers) {
+    add(file, [this, columns, rows, layers](const auto& path) { write_layers(path, columns, rows, layers); });
+}
+
+// Y is what other programs show of a picture without R, G and B. There 16 bits will do.
+void ResultPlan::write_layers(const std::filesystem::path& path, std::size_t columns, std::size_t rows,
+                              const Layers& layers) const {
+    std::vector<ExrChannel> channels;
+    bool taken = false;
+    for (std::size_t i = 0; i < layers.size(); ++i) {
+        channels.push_back({experiment_.chemicals[i].name, layers[i], options_.exr_type});
+        taken = taken || channels.back().name == "Y";
+    }
+    if (!taken) channels.push_back({"Y", layers[outputs_[main_].chemical], ExrType::half});
+    write_exr(path, columns, rows, channels, attributes_);
+}
+
+void ResultPlan::plan_pictures() {
+    plan_picture(main_);
+    for (std::size_t i = 0; i < outputs_.size(); ++i) {
+        const bool possible = snapshot_.lattice() || of_colours(outputs_[i]);
+        if (i != main_ && possible) plan_picture(i);
+    }
+}
+
+void ResultPlan::plan_picture(std::size_t output) {
+    add_picture(output, picture_name(stem_, outputs_[output], output == main_),
+                [this, output](const auto& path) { write_picture(path, output); });
+}
+
+std::optional<ValueRange> ResultPlan::shared_range(std::size_t output) const {
+    return output < options_.ranges.size() ? options_.ranges[output] : std::nullopt;
+}
+
+void ResultPlan::write_picture(const std::filesystem::path& path, std::size_t index) const {
+    const Output& output = outputs_[index];
+    const auto& values = snapshot_.conc[output.chemical];
+    if (snapshot_.lattice()) {
+        Surface surface{values, snapshot_.columns, snapshot_.rows};
+        surface.wrap = wraps(experiment_);
+        surface.factor = enlargement(snapshot_.columns, snapshot_.rows);
+        return write_output(path, surface, output, shared_range(index), options_.deep_png);
+    }
+    const Colours colours(output, drawn_range(output, values, shared_range(index)));
+    const auto picture = draw_cells(snapshot_, output.chemical, colours, options_.drawing);
+    if (options_.deep_png) return write_png(path, deepened(picture));
+    write_png(path, picture);
+}
+
+void ResultPlan::plan_arrays() {
+    const auto shape =
+        snapshot_.lattice() ? std::vector{snapshot_.rows, snapshot_.columns} : std::vector{snapshot_.cells()};
+    const auto type = options_.precision == Precision::double_ ? NpyType::float64 : NpyType::float32;
+    for (std::size_t i = 0; i < experiment_.chemicals.size(); ++i) {
+        add(free_name(stem_, i, ".npy"),
+            [this, i, shape, type](const auto& path) { write_npy(path, shape, snapshot_.conc[i], type); });
+    }
+}
+
+void ResultPlan::plan_texture(std::size_t columns, std::size_t rows) {
+    textures_ = interpolate(snapshot_, snapshot_.conc, columns, rows, wraps(experiment_));
+    const std::string stem = stem_ == "final" ? "texture" : stem_ + ".texture";
+    if (wanted(Format::exr)) {
+        Layers layers;
+        for (const auto& field : textures_) layers.emplace_back(field.values);
+        plan_layers(stem + ".exr", columns, rows, layers);
+    }
+    if (wanted(Format::png)) plan_texture_pictures(stem, columns, rows);
+}
+
+void ResultPlan::plan_texture_pictures(const std::string& stem, std::size_t columns, std::size_t rows) {
+    const auto [width, height] = texel_size(snapshot_, columns, rows);
+    for (std::size_t i = 0; i < outputs_.size(); ++i) {
+        const Output& output = outputs_[i];
+        if (i != main_ && of_colours(output)) continue;
+        // A cell is two radii wide.
+        const Surface surface{
+            textures_[output.chemical].values, columns, rows, width / 2, height / 2, wraps(experiment_), 1};
+        add_picture(i, picture_name(stem, output, i == main_), [this, surface, i](const auto& path) {
+            write_output(path, surface, outputs_[i], shared_range(i), options_.deep_png);
+        });
+    }
+}
+
+}  // namespace pelage
