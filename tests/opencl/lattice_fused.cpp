@@ -12,8 +12,7 @@ namespace {
 OpenclOptions fused(std::size_t width = 0) {
     OpenclOptions made;
     made.fusion = Fusion::always;
-    made.variants = 1;       // few programs: they take long to compile,
-    made.use_cache = false;  // and longer where they are to be kept
+    made.variants = 1;  // few programs: they take long to compile
     made.width = width;
     return made;
 }

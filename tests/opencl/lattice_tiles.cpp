@@ -12,7 +12,6 @@ OpenclOptions tiled(LatticeCut cut = {}, std::size_t width = 0) {
     OpenclOptions made;
     made.fusion = Fusion::tiled;
     made.variants = 1;
-    made.use_cache = false;
     made.width = width;
     made.cut = cut;
     return made;

@@ -29,7 +29,6 @@ TEST_CASE("a comparison of a whole number with any number becomes one of whole n
 TEST_CASE("whole numbers near the last iteration: plain, shared, streamed and tiled kernels, float and double") {
     OpenclOptions options;
     options.variants = 1;
-    options.use_cache = false;
     options.fusion = GENERATE(Fusion::never, Fusion::shared, Fusion::always, Fusion::tiled);
     options.precision = GENERATE(Precision::single_, Precision::double_);
     CAPTURE(static_cast<int>(options.fusion), static_cast<int>(options.precision));
