@@ -9,7 +9,7 @@
 
 // How often a group looks at its own strip before it does others': much shorter than a time slice, and longer than
 // groups wait that all run.
-#define PATIENCE 256
+#define PATIENCE 2048
 
 // Places of flags, each in a cache line of its own.
 #define ARRIVED 0
