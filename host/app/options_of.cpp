@@ -41,7 +41,7 @@ std::vector<OptionText> options_of(const CLI::App& command) {
     for (const CLI::Option* option : command.get_options()) {
         if (!option->get_group().empty()) all.push_back(text_of(*option));
     }
-    std::ranges::stable_partition(all, [](const OptionText& one) { return !one.names.empty(); });
+    std::stable_partition(all.begin(), all.end(), [](const OptionText& one) { return !one.names.empty(); });
     return all;
 }
 
