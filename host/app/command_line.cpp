@@ -1,8 +1,8 @@
 // See command_line.hpp.
 #include "app/command_line.hpp"
-#include "app/say.hpp"
 
 #include "app/commands.hpp"
+#include "app/say.hpp"
 #include "core/error.hpp"
 #include "language/words.hpp"
 
@@ -19,12 +19,6 @@
 namespace pelage::app {
 
 namespace {
-
-std::vector<std::string> command_names(const CLI::App& app) {
-    std::vector<std::string> names;
-    for (const CLI::App* command : commands_of(app)) names.push_back(command->get_name());
-    return names;
-}
 
 std::vector<std::string> option_names(const CLI::App& command) {
     std::vector<std::string> names;
@@ -98,6 +92,12 @@ int complain(const std::string& text) {
 
 std::vector<const CLI::App*> commands_of(const CLI::App& app) {
     return app.get_subcommands([](const CLI::App* command) { return !command->get_group().empty(); });
+}
+
+std::vector<std::string> command_names(const CLI::App& app) {
+    std::vector<std::string> names;
+    for (const CLI::App* command : commands_of(app)) names.push_back(command->get_name());
+    return names;
 }
 
 const CLI::App& command_named(const CLI::App& app, const std::string& name) {

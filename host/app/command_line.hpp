@@ -23,6 +23,7 @@ int complain(const std::string& text);
 
 // The subcommands that people are meant to see, in the order of --help.
 std::vector<const CLI::App*> commands_of(const CLI::App&);
+std::vector<std::string> command_names(const CLI::App&);  // of these
 
 // Of those the one of that name. Throws Error with the nearest name.
 const CLI::App& command_named(const CLI::App&, const std::string& name);

@@ -15,12 +15,6 @@ namespace pelage::app {
 
 namespace {
 
-std::vector<std::string> command_names(const CLI::App& app) {
-    std::vector<std::string> names;
-    for (const CLI::App* command : commands_of(app)) names.push_back(command->get_name());
-    return names;
-}
-
 std::vector<std::string> option_names(const CLI::App& command) {
     std::vector<std::string> names;
     for (const OptionText& option : options_of(command)) {
