@@ -19,7 +19,7 @@ struct ModelFacts {
 };
 
 const ModelFacts& facts(Model model) {
-    static const std::map<Model, ModelFacts> table{
+    static const auto& table = *new const std::map<Model, ModelFacts>{
         {Model::turing, {"turing", {"alpha", "beta"}}},
         {Model::gray_scott, {"gray-scott", {"f", "k"}}},
         {Model::linear, {"linear", {"au", "bu", "cu", "du", "mu", "av", "bv", "cv", "dv", "mv"}}},

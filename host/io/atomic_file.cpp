@@ -26,7 +26,7 @@ constexpr const char* aside_ending = ".part";
 // What programs that were killed have left there; once a folder is enough.
 void tidy(const fs::path& folder) {
     static std::mutex guard;
-    static std::set<fs::path> tidied;
+    static std::set<fs::path>& tidied = *new std::set<fs::path>;  // never destroyed: files are written to the end
     {
         const std::lock_guard lock(guard);
         if (!tidied.insert(folder).second) return;

@@ -31,7 +31,7 @@ Type type_of() {
 }
 
 Type find_type(const std::string& descr, std::string_view name) {
-    static const std::map<std::string, Type, std::less<>> types{
+    static const auto& types = *new const std::map<std::string, Type, std::less<>>{
         {"<f4", type_of<float>()},        {"<f8", type_of<double>()},        {"<i2", type_of<std::int16_t>()},
         {"<i4", type_of<std::int32_t>()}, {"<i8", type_of<std::int64_t>()},  {"|i1", type_of<std::int8_t>()},
         {"|u1", type_of<std::uint8_t>()}, {"<u2", type_of<std::uint16_t>()}, {"<u4", type_of<std::uint32_t>()},

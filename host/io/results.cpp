@@ -35,9 +35,9 @@ std::string without_blanks(const std::string& text) {
 }  // namespace
 
 std::vector<Format> parse_formats(const std::string& list) {
-    static const std::map<std::string, Format> words{{"exr", Format::exr}, {"png", Format::png}, {"npy", Format::npy},
-                                                     {"csv", Format::csv}, {"vti", Format::vtk}, {"vtp", Format::vtk},
-                                                     {"vtk", Format::vtk}};
+    static const auto& words = *new const std::map<std::string, Format>{
+        {"exr", Format::exr}, {"png", Format::png}, {"npy", Format::npy}, {"csv", Format::csv},
+        {"vti", Format::vtk}, {"vtp", Format::vtk}, {"vtk", Format::vtk}};
     std::vector<Format> formats;
     for (std::size_t at = 0; at <= list.size();) {
         const auto end = std::min(list.find(',', at), list.size());

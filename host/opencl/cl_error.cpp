@@ -10,7 +10,7 @@ namespace pelage {
 namespace {
 
 const std::map<cl_int, const char*>& names() {
-    static const std::map<cl_int, const char*> table{
+    static const auto& table = *new const std::map<cl_int, const char*>{
         {-1, "CL_DEVICE_NOT_FOUND"},
         {-2, "CL_DEVICE_NOT_AVAILABLE"},
         {-3, "CL_COMPILER_NOT_AVAILABLE"},

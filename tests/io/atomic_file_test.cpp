@@ -9,6 +9,7 @@
 #include <sys/wait.h>
 #include <unistd.h>
 #include <catch2/catch.hpp>
+#include <cstdlib>
 #include <string>
 
 namespace fs = std::filesystem;
@@ -41,6 +42,30 @@ TEST_CASE("a file that is given up leaves nothing behind") {
     }
 
     CHECK(scratch.names().empty());
+}
+
+TEST_CASE("a file may be written while the process ends") {
+    struct Late {
+        std::filesystem::path path;
+        ~Late() { write_file(path, "late"); }
+    };
+    const Scratch scratch;
+    const pid_t child = fork();
+    if (child == 0) {
+        static const Late late{scratch / "late.bin"};
+        for (int i = 0; i < 50; ++i) {
+            const auto folder = scratch / std::to_string(i);
+            fs::create_directories(folder);
+            write_file(folder / "data.bin", "early");
+        }
+        std::exit(0);
+    }
+
+    int status = -1;
+    waitpid(child, &status, 0);
+
+    CHECK(status == 0);
+    CHECK(test::get(scratch / "late.bin") == "late");
 }
 
 TEST_CASE("what a killed program left is removed, what a living one writes is not") {
