@@ -23,7 +23,10 @@ if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU" AND CMAKE_SYSTEM_PROCESSOR STREQUAL "x86
 elseif(CMAKE_CXX_COMPILER_ID MATCHES "Clang")
   list(APPEND row_flags -Wno-pass-failed)
 endif()
-set_source_files_properties(host/bench/openmp_rows.cpp PROPERTIES COMPILE_OPTIONS "${row_flags}")
+set_source_files_properties(host/bench/openmp_rows.cpp PROPERTIES COMPILE_OPTIONS "${row_flags}"
+  SKIP_PRECOMPILE_HEADERS ON)
+pelage_precompile(pelage_bench <algorithm> <cmath> <functional> <map> <memory> <optional> <string> <variant> <vector>
+  <fmt/format.h> <fmt/ranges.h> <nlohmann/json.hpp>)
 
 option(PELAGE_BENCH "Build the micro benchmarks (Google Benchmark)" OFF)
 if(PELAGE_BENCH)

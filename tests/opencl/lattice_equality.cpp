@@ -1,4 +1,5 @@
-// Every lattice case: the OpenCL device gives the bits of the reference.
+// Lattice cases: the OpenCL device gives the bits of the reference. In float all cases; on the other paths a share of
+// them, and all in opencl_long/every_path.cpp.
 #include "lattice_run.hpp"
 
 using namespace pelage;
@@ -29,15 +30,13 @@ TEST_CASE("float: rules") { check_cases("rules/", single); }
 TEST_CASE("float: growth") { check_cases("growth/", single); }
 
 TEST_CASE("double: diffusion") {
-    check_cases("diffusion/nine-point", twice);
-    check_cases("diffusion/five-point", twice);
-    check_cases("diffusion/published", twice);
+    check_cases("diffusion/", twice, {0, 3});
 }
-TEST_CASE("double: every reaction") { check_cases("reaction/", twice); }
+TEST_CASE("double: every reaction") { check_cases("reaction/", twice, {0, 2}); }
 TEST_CASE("double: rates") { check_cases("rates/uneven", twice); }
 TEST_CASE("double: polarized cells") { check_cases("rates/polarized/published", twice); }
-TEST_CASE("double: rules") { check_cases("rules/", twice); }
-TEST_CASE("double: growth") { check_cases("growth/", twice); }
+TEST_CASE("double: rules") { check_cases("rules/", twice, {0, 3}); }
+TEST_CASE("double: growth") { check_cases("growth/", twice, {0, 3}); }
 
 TEST_CASE("one cell a work-item: diffusion") {
     check_cases("diffusion/nine-point", narrow);
@@ -45,10 +44,10 @@ TEST_CASE("one cell a work-item: diffusion") {
     check_cases("diffusion/published", narrow);
 }
 TEST_CASE("one cell a work-item: reactions and rates") {
-    check_cases("reaction/", narrow);
+    check_cases("reaction/", narrow, {1, 2});
     check_cases("rates/polarized/sims", narrow);
     check_cases("rates/polarized/published", narrow);
     check_cases("rates/uneven/nine-point/no-flux", narrow);
 }
-TEST_CASE("one cell a work-item: rules") { check_cases("rules/", narrow); }
-TEST_CASE("one cell a work-item: growth") { check_cases("growth/", narrow); }
+TEST_CASE("one cell a work-item: rules") { check_cases("rules/", narrow, {1, 3}); }
+TEST_CASE("one cell a work-item: growth") { check_cases("growth/", narrow, {1, 3}); }

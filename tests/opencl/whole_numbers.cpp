@@ -2,6 +2,9 @@
 #include "lattice_run.hpp"
 #include "opencl/emit_whole.hpp"
 
+#include <tuple>
+#include <utility>
+
 using namespace pelage;
 using namespace test;
 
@@ -29,8 +32,10 @@ TEST_CASE("a comparison of a whole number with any number becomes one of whole n
 TEST_CASE("whole numbers near the last iteration: plain, shared, streamed and tiled kernels, float and double") {
     OpenclOptions options;
     options.variants = 1;
-    options.fusion = GENERATE(Fusion::never, Fusion::shared, Fusion::always, Fusion::tiled);
-    options.precision = GENERATE(Precision::single_, Precision::double_);
+    using Way = std::pair<Fusion, Precision>;
+    std::tie(options.fusion, options.precision) =
+        GENERATE(Way{Fusion::never, Precision::double_}, Way{Fusion::shared, Precision::single_},
+                 Way{Fusion::always, Precision::single_}, Way{Fusion::tiled, Precision::double_});
     CAPTURE(static_cast<int>(options.fusion), static_cast<int>(options.precision));
 
     check_cases("rules/whole-numbers/fused", options);

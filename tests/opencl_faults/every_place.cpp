@@ -1,4 +1,5 @@
-// A call from each place in the program that calls OpenCL is made to fail.
+// A call from each third place in the program that calls OpenCL is made to fail; from each place, and with each code,
+// in opencl_faults_long.
 #include "codes.hpp"
 #include "every_call.hpp"
 
@@ -6,7 +7,7 @@
 
 #include <set>
 
-TEST_CASE("a run survives the failure of an OpenCL call from each place in the program, or says which one failed") {
+TEST_CASE("a run survives the failure of an OpenCL call from many places in the program, or says which one failed") {
     const auto& codes = test::standard_codes();
     std::set<std::size_t> places;
     std::size_t turn = 0;
@@ -18,12 +19,12 @@ TEST_CASE("a run survives the failure of an OpenCL call from each place in the p
         const std::vector<test::Call> calls = test::calls_of_a_good_run(stage);
         for (std::size_t nth = 0; nth < calls.size(); ++nth) {
             if (!places.insert(calls[nth].site).second) continue;
-            if (calls[nth].name == "clSetKernelArg" && turn++ % 4 != 0) continue;  // hundreds that are all alike
+            if (places.size() % (calls[nth].name == "clSetKernelArg" ? 12 : 3) != 0) continue;
             ++(test::check_failing_call(stage, nth, codes[turn++ % codes.size()]) ? struck : missed);
         }
     }
 
-    CHECK(struck > 500);
+    CHECK(struck > 150);
     CHECK(missed < struck / 10);
     test::Faults::layer().reset();
 }
