@@ -6,17 +6,13 @@ install(TARGETS pelage EXPORT pelage_targets ARCHIVE DESTINATION ${CMAKE_INSTALL
 install(EXPORT pelage_targets NAMESPACE pelage:: DESTINATION ${package_folder})
 if(PELAGE_TOOLS)
   install(TARGETS pelage_command RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR})
+  if(TARGET pelage_plot)
+    install(TARGETS pelage_plot RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR})
+  endif()
   include(cmake/Pages.cmake)
 endif()
 
-# Headers are included as "core/experiment.hpp", here and by users. Of the backends and the language only the doors
-# are public; what lies behind them may change.
-foreach(part core io)
-  install(DIRECTORY host/${part} DESTINATION include/pelage FILES_MATCHING PATTERN "*.hpp")
-endforeach()
-install(FILES host/language/lint.hpp host/language/outline.hpp host/language/parse.hpp DESTINATION include/pelage/language)
-install(FILES host/opencl/backend.hpp host/opencl/device.hpp DESTINATION include/pelage/opencl)
-install(FILES reference/backend.hpp reference/neighbours.hpp DESTINATION include/pelage/reference)
+install(DIRECTORY ${PELAGE_PUBLIC_INCLUDE}/pelage DESTINATION ${CMAKE_INSTALL_INCLUDEDIR})
 
 configure_package_config_file(cmake/pelageConfig.cmake.in ${PROJECT_BINARY_DIR}/pelageConfig.cmake
   INSTALL_DESTINATION ${package_folder})

@@ -1,14 +1,15 @@
 // `pelage bench`: how fast each backend is on this machine, against each other and against what the machine can do.
 #include "app/commands.hpp"
+#include "app/draw_report.hpp"
 #include "app/prepare.hpp"
 #include "app/say.hpp"
 #include "app/validators.hpp"
 #include "bench/guard.hpp"
 #include "bench/measure.hpp"
 #include "bench/options.hpp"
-#include "bench/plot.hpp"
 #include "bench/report.hpp"
 #include "io/atomic_file.hpp"
+#include "io/locked.hpp"
 
 #include <fmt/format.h>
 #include <unistd.h>
@@ -38,23 +39,30 @@ void show(const std::string& text) {
     if (isatty(STDERR_FILENO) != 0) say(stderr, "\r\x1b[K{}", text);
 }
 
-void write_json(const BenchOptions& options, const bench::Report& report, bool complete) {
+void write_json(const std::filesystem::path& file, const BenchOptions& options, const bench::Report& report,
+                bool complete) {
     const auto replace = nlohmann::ordered_json::error_handler_t::replace;  // a driver may not speak UTF-8
-    write_file(options.json, bench::json_of(report, options.what, complete).dump(2, ' ', false, replace) + "\n");
+    write_file(file, bench::json_of(report, options.what, complete).dump(2, ' ', false, replace) + "\n");
+}
+
+void draw(const BenchOptions& options, const bench::Report& report) {
+    const PrivateFolder folder(std::filesystem::temp_directory_path(), "pelage-plot-");
+    write_json(folder.path() / "results.json", options, report, true);
+    draw_report(folder.path() / "results.json", options.plot);
 }
 
 // The file is whole after each case, so that a run that is cut keeps what it measured. A pipe gets everything at the
 // end.
 void keep(const BenchOptions& options, const bench::Report& report) {
     if (options.json.empty() || std::filesystem::is_other(options.json)) return;
-    write_json(options, report, false);
+    write_json(options.json, options, report, false);
 }
 
 int finish(const BenchOptions& options, const bench::Report& report) {
     if (isatty(STDERR_FILENO) != 0) say(stderr, "\r\x1b[K");
     say("{}", bench::tables(report));
-    if (!options.json.empty()) write_json(options, report, true);
-    if (!options.plot.empty()) bench::plot(report, options.plot);
+    if (!options.json.empty()) write_json(options.json, options, report, true);
+    if (!options.plot.empty()) draw(options, report);
     const bool wrong = std::ranges::any_of(report.notes, [](const bench::Note& note) { return note.wrong; });
     return wrong ? failed_check : success;
 }
@@ -93,6 +101,7 @@ int bench_guard(const BenchOptions& options) {
 
 int run_bench(const BenchOptions& options) {
     check(options.what);
+    if (!options.plot.empty()) require_plotter();
     for (const auto& file : {options.json, options.plot}) {
         if (!file.empty()) prepare_json(file);
     }

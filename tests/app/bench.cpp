@@ -180,3 +180,10 @@ TEST_CASE("bench refuses what it does not know") {
     refused({"--json", "/proc/none/bench.json"}, "/proc/none");
     refused({"--guard", folder / "missing.json"}, "missing.json cannot be read");
 }
+
+TEST_CASE("the command links neither cairo nor X11: what draws plots is a program of its own") {
+    const Outcome outcome = test::Child({"/usr/bin/ldd", PELAGE_COMMAND}).wait();
+
+    REQUIRE(outcome.exit_code == 0);
+    CHECK_THAT(outcome.out, Contains("libOpenCL") && !Contains("libcairo") && !Contains("libX11"));
+}

@@ -1,9 +1,5 @@
 // An experiment built by hand, run on the reference and on OpenCL through the installed library, and compared.
-#include <core/error.hpp>
-#include <core/experiment.hpp>
-#include <core/tissue.hpp>
-#include <opencl/backend.hpp>
-#include <reference/backend.hpp>
+#include <pelage/pelage.hpp>
 
 #include <cstdio>
 #include <set>

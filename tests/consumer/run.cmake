@@ -1,4 +1,4 @@
-# Installs BUILD into a fresh folder, then builds and runs the project in SOURCE against that alone.
+# Installs BUILD into a fresh folder, then builds and runs the project in SOURCE and the examples against that alone.
 set(work ${BUILD}/consumer)
 file(REMOVE_RECURSE ${work})
 function(must)
@@ -9,6 +9,15 @@ must(${CMAKE_COMMAND} -S ${SOURCE} -B ${work}/build -G ${GENERATOR} -DCMAKE_BUIL
   -DCMAKE_CXX_COMPILER=${COMPILER} "-DCMAKE_CXX_FLAGS=${FLAGS}" -DCMAKE_PREFIX_PATH=${work}/installed)
 must(${CMAKE_COMMAND} --build ${work}/build)
 must(${work}/build/consumer)
+must(${CMAKE_COMMAND} -S ${EXAMPLES} -B ${work}/examples -G ${GENERATOR} -DCMAKE_BUILD_TYPE=Release
+  -DCMAKE_CXX_COMPILER=${COMPILER} "-DCMAKE_CXX_FLAGS=${FLAGS}" -DCMAKE_PREFIX_PATH=${work}/installed)
+must(${CMAKE_COMMAND} --build ${work}/examples)
+must(${work}/examples/spots ${work}/spots)
+must(${work}/examples/compare)
+must(${work}/examples/watch)
+if(NOT EXISTS ${work}/spots/final.png)
+  message(FATAL_ERROR "the example of spots left no picture")
+endif()
 foreach(page share/man/man1/pelage.1 share/bash-completion/completions/pelage share/zsh/site-functions/_pelage)
   file(READ ${work}/installed/${page} text)
   string(FIND "${text}" "pelage" at)
@@ -16,3 +25,7 @@ foreach(page share/man/man1/pelage.1 share/bash-completion/completions/pelage sh
     message(FATAL_ERROR "${page} is empty")
   endif()
 endforeach()
+file(GLOB included RELATIVE ${work}/installed/include ${work}/installed/include/*)
+if(NOT included STREQUAL "pelage")
+  message(FATAL_ERROR "headers are installed as ${included}: beside pelage/ they are in everybody's way")
+endif()

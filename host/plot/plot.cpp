@@ -1,7 +1,7 @@
 // See plot.hpp.
-#include "bench/plot.hpp"
+#include "plot/plot.hpp"
 
-#include "bench/canvas.hpp"
+#include "plot/canvas.hpp"
 
 #include <fmt/format.h>
 

@@ -1,5 +1,5 @@
 // See canvas.hpp.
-#include "bench/canvas.hpp"
+#include "plot/canvas.hpp"
 
 #include "core/error.hpp"
 #include "io/atomic_file.hpp"
