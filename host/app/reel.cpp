@@ -2,6 +2,7 @@
 // lattice's centre (two doubles) and the arrays as floats.
 #include "app/reel.hpp"
 
+#include "core/columns.hpp"
 #include "core/error.hpp"
 #include "io/file_bytes.hpp"
 
@@ -95,12 +96,9 @@ std::optional<Snapshot> Reel::read_record() {
     state.origin_x = centre[0];
     state.origin_y = centre[1];
     const auto cells = static_cast<std::size_t>(shape[3]);
-    for (auto* all : {&state.conc, &state.diff}) all->assign(experiment_.chemicals.size(), std::vector(cells, 0.0));
-    for (auto* one : {&state.x, &state.y, &state.polarity_x, &state.polarity_y}) one->assign(cells, 0.0);
-    state.mappings.assign(experiment_.mappings.size(), std::vector(cells, 0.0));
-    state.birth.assign(cells, 0);
-    state.neighbours.assign(cells, 0);
-    state.fixed.assign(cells, 0);
+    for (auto* list : {&state.conc, &state.diff}) list->resize(experiment_.chemicals.size());
+    state.mappings.resize(experiment_.mappings.size());
+    each_cell_column([&](const char*, auto& column) { column.assign(cells, {}); }, state);
     std::vector<float> values(cells);
     for (auto* column : columns_of(state, experiment_)) {
         if (!read(file_.get(), values)) return std::nullopt;

@@ -1,6 +1,7 @@
 // See tissue.hpp.
 #include "core/tissue.hpp"
 
+#include "core/columns.hpp"
 #include "core/error.hpp"
 #include "core/prepattern.hpp"
 #include "core/schedule.hpp"
@@ -26,15 +27,7 @@ void check_shape(const Experiment& experiment, const Snapshot& snapshot) {
     check_length("list of concentrations", snapshot.conc.size(), experiment.chemicals.size());
     check_length("list of rates", snapshot.diff.size(), experiment.chemicals.size());
     check_length("list of mappings", snapshot.mappings.size(), experiment.mappings.size());
-    for (const auto& column : snapshot.conc) check_length("concentration", column.size(), cells);
-    for (const auto& column : snapshot.diff) check_length("rate", column.size(), cells);
-    for (const auto& column : snapshot.mappings) check_length("mapping", column.size(), cells);
-    check_length("y", snapshot.y.size(), cells);
-    check_length("polarity x", snapshot.polarity_x.size(), cells);
-    check_length("polarity y", snapshot.polarity_y.size(), cells);
-    check_length("birth", snapshot.birth.size(), cells);
-    check_length("neighbour count", snapshot.neighbours.size(), cells);
-    check_length("fixed mark", snapshot.fixed.size(), cells);
+    each_cell_column([&](const char* name, const auto& column) { check_length(name, column.size(), cells); }, snapshot);
     if (snapshot.lattice()) check_length("lattice", snapshot.columns * snapshot.rows, cells);
     if (cells == 0) throw Error("the state has no cells");
 }

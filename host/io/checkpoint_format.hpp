@@ -12,6 +12,8 @@
 //   uint64    Checksum of the payload
 #pragma once
 
+#include "core/columns.hpp"
+
 #include <cstddef>
 #include <cstdint>
 #include <string_view>
@@ -23,6 +25,9 @@ inline constexpr std::uint32_t version = 1;
 inline constexpr std::size_t size_place = 12;
 inline constexpr std::size_t payload_place = 20;
 inline constexpr std::size_t checksum_size = 8;
+
+// Their length bounds what a short file can ask for.
+inline bool place(std::string_view column) { return column == "x" || column == "y"; }
 
 // Visits all parts of a checkpoint in the order of the file: with a writer and a constant one, or a reader.
 template <class Visitor, class Checkpoint>
@@ -39,17 +44,7 @@ void visit(Visitor& part, Checkpoint& checkpoint) {
     part.number(state.rows);
     part.number(state.origin_x);
     part.number(state.origin_y);
-    part.places(state.x);
-    part.places(state.y);
-    part.arrays(state.conc);
-    part.arrays(state.diff);
-    part.arrays(state.mappings);
-    part.array(state.polarity_x);
-    part.array(state.polarity_y);
-    part.array(state.birth);
-    part.array(state.neighbours);
-    part.array(state.fixed);
-    part.pairs(state.mirrors);
+    each_column([&](std::string_view name, auto& column) { part.column(name, column); }, state);
 }
 
 }  // namespace pelage::checkpoint_format

@@ -37,7 +37,7 @@ public:
     }
 
     template <class T>
-    void array(std::vector<T>& values) {
+    void column(std::string_view name, std::vector<T>& values) {
         const auto length = count();
         std::uint8_t repeated = 0;
         number(repeated);
@@ -50,23 +50,20 @@ public:
         const char* const from = bytes(length, sizeof(T));
         values.resize(length);
         if (length != 0) std::memcpy(values.data(), from, length * sizeof(T));
+        if (format::place(name)) cells_ = values.size();
     }
-    void places(std::vector<double>& values) {
-        array(values);
-        cells_ = values.size();
+    void column(std::string_view name, ColumnList& list) {
+        const auto columns = count();
+        if (columns > rest_.size()) fail();
+        list.resize(columns);
+        for (auto& one : list) column(name, one);
     }
-    void arrays(std::vector<std::vector<double>>& values) {
-        const auto number_of_arrays = count();
-        if (number_of_arrays > rest_.size()) fail();
-        values.resize(number_of_arrays);
-        for (auto& one : values) array(one);
-    }
-    void pairs(std::vector<std::pair<std::uint32_t, std::uint32_t>>& values) {
+    void column(std::string_view name, PairColumn& pairs) {
         std::vector<std::uint32_t> flat;
-        array(flat);
+        column(name, flat);
         if (flat.size() % 2 != 0) fail();
-        values.clear();
-        for (std::size_t i = 0; i < flat.size(); i += 2) values.emplace_back(flat[i], flat[i + 1]);
+        pairs.clear();
+        for (std::size_t i = 0; i < flat.size(); i += 2) pairs.emplace_back(flat[i], flat[i + 1]);
     }
     void finish() const {
         if (!rest_.empty()) fail();

@@ -5,7 +5,7 @@
 #include "io/checksum.hpp"
 
 #include <cstring>
-#include <utility>
+#include <string_view>
 #include <vector>
 
 namespace pelage {
@@ -31,18 +31,17 @@ public:
     void precision(Precision value) { number(static_cast<std::uint8_t>(value == Precision::double_ ? 8 : 4)); }
 
     template <class T>
-    void array(const std::vector<T>& values) {
-        array(values, same_bits(values));
+    void column(std::string_view name, const std::vector<T>& values) {
+        array(values, !checkpoint_format::place(name) && same_bits(values));
     }
-    void places(const std::vector<double>& values) { array(values, false); }
-    void arrays(const std::vector<std::vector<double>>& values) {
-        number(std::uint64_t{values.size()});
-        for (const auto& one : values) array(one);
+    void column(std::string_view name, const ColumnList& list) {
+        number(std::uint64_t{list.size()});
+        for (const auto& one : list) column(name, one);
     }
-    void pairs(const std::vector<std::pair<std::uint32_t, std::uint32_t>>& values) {
+    void column(std::string_view name, const PairColumn& pairs) {
         std::vector<std::uint32_t> flat;
-        for (const auto& [first, second] : values) flat.insert(flat.end(), {first, second});
-        array(flat);
+        for (const auto& [first, second] : pairs) flat.insert(flat.end(), {first, second});
+        column(name, flat);
     }
 
     std::uint64_t checksum() const { return sum_.value(); }

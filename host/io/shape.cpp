@@ -1,6 +1,7 @@
 // See shape.hpp.
 #include "io/shape.hpp"
 
+#include "core/columns.hpp"
 #include "core/counted.hpp"
 #include "core/error.hpp"
 
@@ -21,16 +22,7 @@ void check_shape(const Snapshot& snapshot, const Experiment& experiment) {
                                 counted(snapshot.conc.size(), "chemical"), snapshot.diff.size(), chemicals));
     }
     if (snapshot.lattice()) check(snapshot.columns * snapshot.rows, "its lattice has places");
-    for (std::size_t i = 0; i < chemicals; ++i) {
-        check(snapshot.conc[i].size(), "concentrations of " + experiment.chemicals[i].name);
-        check(snapshot.diff[i].size(), "rates of " + experiment.chemicals[i].name);
-    }
-    check(snapshot.y.size(), "places");
-    check(snapshot.polarity_x.size(), "polarities");
-    check(snapshot.polarity_y.size(), "polarities");
-    check(snapshot.birth.size(), "births");
-    check(snapshot.neighbours.size(), "neighbour counts");
-    check(snapshot.fixed.size(), "fixed marks");
+    each_cell_column([&](const char* name, const auto& column) { check(column.size(), name); }, snapshot);
 }
 
 }  // namespace pelage

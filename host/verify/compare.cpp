@@ -1,6 +1,7 @@
 // See compare.hpp.
 #include "verify/compare.hpp"
 
+#include "core/columns.hpp"
 #include "core/counted.hpp"
 
 #include <fmt/format.h>
@@ -34,8 +35,18 @@ std::string shown(const std::pair<std::uint32_t, std::uint32_t>& pair) {
 
 class Comparison {
 public:
+    void columns(const std::string& name, const ColumnList& expected, const ColumnList& found) {
+        if (expected.size() != found.size()) {
+            lines.push_back(fmt::format("{}: {} arrays expected, {} found", name, expected.size(), found.size()));
+            return;
+        }
+        for (std::size_t i = 0; i < expected.size(); ++i) {
+            columns(fmt::format("{}[{}]", name, i), expected[i], found[i]);
+        }
+    }
+
     template <class V>
-    void arrays(const std::string& name, const std::vector<V>& expected, const std::vector<V>& found) {
+    void columns(const std::string& name, const std::vector<V>& expected, const std::vector<V>& found) {
         if (expected.size() != found.size()) {
             lines.push_back(
                 fmt::format("{}: {} expected, {} found", name, counted(expected.size(), "element"), found.size()));
@@ -53,18 +64,6 @@ public:
                                     expected.size(), first, shown(expected[first]), shown(found[first])));
     }
 
-    template <class V>
-    void lists(const std::string& name, const std::vector<std::vector<V>>& expected,
-               const std::vector<std::vector<V>>& found) {
-        if (expected.size() != found.size()) {
-            lines.push_back(fmt::format("{}: {} arrays expected, {} found", name, expected.size(), found.size()));
-            return;
-        }
-        for (std::size_t i = 0; i < expected.size(); ++i) {
-            arrays(fmt::format("{}[{}]", name, i), expected[i], found[i]);
-        }
-    }
-
     std::vector<std::string> lines;
 };
 
@@ -72,21 +71,12 @@ public:
 
 std::vector<std::string> differences(const Snapshot& expected, const Snapshot& found) {
     Comparison comparison;
-    comparison.arrays("shape", std::vector<std::uint64_t>{expected.iteration, expected.columns, expected.rows},
-                      std::vector<std::uint64_t>{found.iteration, found.columns, found.rows});
-    comparison.arrays("origin", std::vector<double>{expected.origin_x, expected.origin_y},
-                      std::vector<double>{found.origin_x, found.origin_y});
-    comparison.lists("conc", expected.conc, found.conc);
-    comparison.lists("diff", expected.diff, found.diff);
-    comparison.lists("mappings", expected.mappings, found.mappings);
-    comparison.arrays("x", expected.x, found.x);
-    comparison.arrays("y", expected.y, found.y);
-    comparison.arrays("polarity_x", expected.polarity_x, found.polarity_x);
-    comparison.arrays("polarity_y", expected.polarity_y, found.polarity_y);
-    comparison.arrays("birth", expected.birth, found.birth);
-    comparison.arrays("neighbours", expected.neighbours, found.neighbours);
-    comparison.arrays("fixed", expected.fixed, found.fixed);
-    comparison.arrays("mirrors", expected.mirrors, found.mirrors);
+    comparison.columns("shape", std::vector<std::uint64_t>{expected.iteration, expected.columns, expected.rows},
+                       std::vector<std::uint64_t>{found.iteration, found.columns, found.rows});
+    comparison.columns("origin", std::vector<double>{expected.origin_x, expected.origin_y},
+                       std::vector<double>{found.origin_x, found.origin_y});
+    each_column([&](const char* name, const auto& a, const auto& b) { comparison.columns(name, a, b); }, expected,
+                found);
     return comparison.lines;
 }
 

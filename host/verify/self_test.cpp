@@ -1,6 +1,7 @@
 // See self_test.hpp.
 #include "verify/self_test.hpp"
 
+#include "core/columns.hpp"
 #include "core/forecast.hpp"
 #include "core/schedule.hpp"
 #include "opencl/cells_together.hpp"
@@ -46,13 +47,6 @@ template <class V>
 std::vector<V> picked(const std::vector<V>& values, const std::vector<std::size_t>& cells) {
     std::vector<V> piece(cells.size());
     std::ranges::transform(cells, piece.begin(), [&](std::size_t cell) { return values[cell]; });
-    return piece;
-}
-
-std::vector<std::vector<double>> picked_planes(const std::vector<std::vector<double>>& planes,
-                                               const std::vector<std::size_t>& cells) {
-    std::vector<std::vector<double>> piece;
-    for (const auto& plane : planes) piece.push_back(picked(plane, cells));
     return piece;
 }
 
@@ -127,16 +121,7 @@ Snapshot small_piece(const Snapshot& whole) {
     piece.columns = std::min(whole.columns, most_columns);
     piece.rows = std::min(whole.rows, most_rows);
     const std::vector<std::size_t> cells = chosen(whole, piece);
-    piece.conc = picked_planes(whole.conc, cells);
-    piece.diff = picked_planes(whole.diff, cells);
-    piece.mappings = picked_planes(whole.mappings, cells);
-    piece.x = picked(whole.x, cells);
-    piece.y = picked(whole.y, cells);
-    piece.polarity_x = picked(whole.polarity_x, cells);
-    piece.polarity_y = picked(whole.polarity_y, cells);
-    piece.birth = picked(whole.birth, cells);
-    piece.neighbours = picked(whole.neighbours, cells);
-    piece.fixed = picked(whole.fixed, cells);
+    each_cell_column([&](const char*, auto& column) { column = picked(column, cells); }, piece);
     std::erase_if(piece.mirrors,
                   [&](const auto& pair) { return pair.first >= cells.size() || pair.second >= cells.size(); });
     for (std::size_t cell = 0; piece.lattice() && cell < cells.size(); ++cell) {

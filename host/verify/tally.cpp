@@ -1,6 +1,8 @@
 // See tally.hpp.
 #include "verify/tally.hpp"
 
+#include "core/columns.hpp"
+
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -50,7 +52,7 @@ public:
         }
     }
 
-    void reals(const std::string& name, const std::vector<double>& expected, const std::vector<double>& found) {
+    void column(const std::string& name, const std::vector<double>& expected, const std::vector<double>& found) {
         shape("the number of values of " + name, expected.size(), found.size());
         tally_.found.add(found.data(), found.size() * sizeof(double));
         for (std::size_t i = 0; i < std::min(expected.size(), found.size()); ++i) {
@@ -61,7 +63,7 @@ public:
     }
 
     template <class V>
-    void integers(const std::string& name, const std::vector<V>& expected, const std::vector<V>& found) {
+    void column(const std::string& name, const std::vector<V>& expected, const std::vector<V>& found) {
         shape("the number of values of " + name, expected.size(), found.size());
         tally_.found.add(found.data(), found.size() * sizeof(V));
         for (std::size_t i = 0; i < std::min(expected.size(), found.size()); ++i) {
@@ -71,11 +73,17 @@ public:
         }
     }
 
-    void planes(const std::string& name, const std::vector<std::vector<double>>& expected,
-                const std::vector<std::vector<double>>& found) {
+    void column(const std::string& name, const ColumnList& expected, const ColumnList& found) {
         shape("the number of planes of " + name, expected.size(), found.size());
         for (std::size_t i = 0; i < std::min(expected.size(), found.size()); ++i) {
-            reals(fmt::format("{}[{}]", name, i), expected[i], found[i]);
+            column(fmt::format("{}[{}]", name, i), expected[i], found[i]);
+        }
+    }
+
+    void column(const std::string& name, const PairColumn& expected, const PairColumn& found) {
+        shape("the number of " + name, expected.size(), found.size());
+        for (std::size_t i = 0; i < std::min(expected.size(), found.size()); ++i) {
+            if (expected[i] != found[i]) shape(fmt::format("the first cell of {}[{}]", name, i), 0, 1);
         }
     }
 
@@ -171,17 +179,7 @@ void add(Tally& tally, const Snapshot& expected, const Snapshot& found, Precisio
     pass.shape("the iteration", expected.iteration, found.iteration);
     pass.shape("the number of columns", expected.columns, found.columns);
     pass.shape("the number of rows", expected.rows, found.rows);
-    pass.reals("x", expected.x, found.x);
-    pass.reals("y", expected.y, found.y);
-    pass.planes("conc", expected.conc, found.conc);
-    pass.planes("diff", expected.diff, found.diff);
-    pass.planes("mapping", expected.mappings, found.mappings);
-    pass.reals("polarity x", expected.polarity_x, found.polarity_x);
-    pass.reals("polarity y", expected.polarity_y, found.polarity_y);
-    pass.integers("birth", expected.birth, found.birth);
-    pass.integers("neighbours", expected.neighbours, found.neighbours);
-    pass.integers("fixed", expected.fixed, found.fixed);
-    pass.shape("the number of mirror pairs", expected.mirrors.size(), found.mirrors.size());
+    each_column([&](const char* name, const auto& a, const auto& b) { pass.column(name, a, b); }, expected, found);
     pass.finish();
 }
 

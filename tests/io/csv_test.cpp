@@ -91,7 +91,7 @@ TEST_CASE("odd names are quoted, arrays that do not fit refused") {
     const auto text = test::error_of([&] { write_csv(scratch / "b.csv", cells, experiment, Precision::single_); });
 
     CHECK_THAT(test::get(scratch / "a.csv"), Contains("\"conc a,\"\"b\"\"\",conc V"));
-    CHECK_THAT(text, Contains("1 cell,") && Contains("concentrations of V"));
+    CHECK_THAT(text, Contains("1 cell,") && Contains("but conc for "));
     CHECK_THAT(test::error_of([&] { write_csv("/dev/full", test::cells({0}, {0}), experiment, Precision::single_); }),
                Contains("No space left"));
 }
