@@ -19,7 +19,7 @@ const std::filesystem::path source = PELAGE_SOURCE;
 // Variables that live in a function or a namespace and have something to destroy, as "line: text".
 std::vector<std::string> destroyed_at_the_end(const std::string& text) {
     const std::regex in_function(
-        "^ +static (?!constexpr|cl_|void |bool |int |double |std::size_t |std::mutex |"
+        "^ +static (const )?(?!const |constexpr|cl_|void |bool |int |double |std::size_t |std::mutex |"
         "std::once_flag |std::atomic<)[^(]* [a-z_]+( = .*|\\{.*|;)$");
     const std::regex in_namespace(
         "^(const |static |inline )*std::(map|set|multimap|vector|string|filesystem::path|"
@@ -44,6 +44,7 @@ TEST_CASE("a variable that is destroyed when the process ends is recognised") {
     CHECK(destroyed_at_the_end("const std::vector<int> numbers{1, 2};\n").size() == 1);
     CHECK(destroyed_at_the_end("    static const auto& table = *new const std::map<int, int>{\n").empty());
     CHECK(destroyed_at_the_end("    static std::mutex guard;\n").empty());
+    CHECK(destroyed_at_the_end("    static const std::size_t known = [] {\n").empty());
     CHECK(destroyed_at_the_end("    static std::string text(int number);\n").empty());
 }
 
