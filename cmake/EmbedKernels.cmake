@@ -9,3 +9,22 @@ add_custom_command(
   DEPENDS ${kernel_paths} ${PROJECT_SOURCE_DIR}/cmake/WriteKernels.cmake
   COMMENT "Embedding kernels"
   VERBATIM)
+
+# The table of reactions, from what stands in kernels/models and reference/models and from nothing else.
+set(generated ${PROJECT_BINARY_DIR}/generated)
+set(PELAGE_MODEL_TABLE ${generated}/model_lines.cpp)
+set(PELAGE_MODEL_TYPES ${generated}/reference_models.hpp)
+set(PELAGE_MODEL_WORDS ${generated}/models.dict)
+file(GLOB model_files CONFIGURE_DEPENDS
+  ${PROJECT_SOURCE_DIR}/kernels/models/*.cl ${PROJECT_SOURCE_DIR}/reference/models/*.hpp)
+add_custom_command(
+  OUTPUT ${generated}/models.stamp
+  BYPRODUCTS ${PELAGE_MODEL_TABLE} ${PELAGE_MODEL_TYPES} ${PELAGE_MODEL_WORDS}
+  COMMAND ${CMAKE_COMMAND} -DLINES=${PELAGE_MODEL_TABLE} -DREFERENCES=${PELAGE_MODEL_TYPES} -DWORDS=${PELAGE_MODEL_WORDS}
+          -DKERNELS=${PROJECT_SOURCE_DIR}/kernels/models -DREFERENCE=${PROJECT_SOURCE_DIR}/reference/models
+          -P ${PROJECT_SOURCE_DIR}/cmake/WriteModels.cmake
+  COMMAND ${CMAKE_COMMAND} -E touch ${generated}/models.stamp
+  DEPENDS ${model_files} ${PROJECT_SOURCE_DIR}/cmake/WriteModels.cmake
+  COMMENT "Listing reaction models"
+  VERBATIM)
+add_custom_target(pelage_models DEPENDS ${generated}/models.stamp)

@@ -9,7 +9,7 @@
 
 namespace pelage::reference {
 
-// For each cell where truth holds: new += scale * f(u, v) * dt with the old u and v, in the order of operations of
+// For each cell where truth holds: new += scale * f(species) * dt with the old species, in the order of operations of
 // `arithmetic`.
 template <class T>
 void react_cells(const React&, Arithmetic, T dt, Sight<T>&, State<T>& next, const std::vector<std::uint8_t>& truth);

@@ -135,18 +135,18 @@ Case lattice(std::string name, std::vector<std::size_t> sizes, double bytes, dou
 std::vector<Case> lattice_cases() {
     std::vector<Case> cases;
     cases.push_back(lattice("turing", lattice_sides, 16, 32, [](std::size_t n) { return turing(n, "wrap"); }));
-    cases.back().kernel = Kernel{Model::turing, true};
+    cases.back().kernel = Kernel{model_named("turing"), true};
     cases.push_back(
         lattice("turing-no-flux", middle_sides, 16, 32, [](std::size_t n) { return turing(n, "no-flux"); }));
-    cases.back().kernel = Kernel{Model::turing, false};
+    cases.back().kernel = Kernel{model_named("turing"), false};
     cases.push_back(lattice("gray-scott", {256, 1024}, 16, 37, [](std::size_t n) { return gray_scott(n, "wrap"); }));
-    cases.back().kernel = Kernel{Model::gray_scott, true};
+    cases.back().kernel = Kernel{model_named("gray-scott"), true};
     cases.push_back(lattice("gray-scott-seed", {256, 1024}, 16, 37, gray_scott_seed));
-    cases.back().kernel = Kernel{Model::gray_scott, true};
+    cases.back().kernel = Kernel{model_named("gray-scott"), true};
     cases.back().twin = [](std::size_t n) { return gray_scott(n, "wrap"); };
     cases.push_back(
         lattice("gray-scott-no-flux", middle_sides, 16, 37, [](std::size_t n) { return gray_scott(n, "no-flux"); }));
-    cases.back().kernel = Kernel{Model::gray_scott, false};
+    cases.back().kernel = Kernel{model_named("gray-scott"), false};
     cases.back().by_default = false;
     cases.push_back(lattice("reinforcement", middle_sides, 8, 23, reinforcement));
     cases.push_back(lattice("three-chemicals", middle_sides, 24, 53, three_chemicals));

@@ -14,7 +14,7 @@ namespace pelage::bench {
 
 // A lattice step that the OpenMP baseline knows by heart.
 struct Kernel {
-    Model model = Model::turing;
+    Model model = model_named("turing");
     bool wrap = true;
 };
 

@@ -62,7 +62,10 @@ struct FieldState {
 class OpenmpLattice final : public Task {
 public:
     OpenmpLattice(const Kernel& kernel, const Experiment& experiment, const Snapshot& initial)
-        : kernel_(kernel), columns_(initial.columns), rows_(initial.rows) {
+        : turing_(kernel.model == model_named("turing")),
+          kernel_(kernel),
+          columns_(initial.columns),
+          rows_(initial.rows) {
         const Phase& phase = experiment.phases.front();
         const SubnormalsAreZero scope;
         const auto dt = in_precision<float>(phase.time_step);
@@ -174,7 +177,7 @@ private:
                            field.floor,
                            field.limit};
             }
-            if (kernel_.model == Model::turing) {
+            if (turing_) {
                 turing_row(rows[0], rows[1], numbers_, columns);
             } else {
                 gray_scott_row(rows[0], rows[1], numbers_, columns);
@@ -184,6 +187,7 @@ private:
         }
     }
 
+    bool turing_;  // else Gray-Scott
     Kernel kernel_;
     std::size_t columns_, rows_;
     std::vector<FieldState> fields_;

@@ -7,34 +7,8 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
-#include <map>
 
 namespace pelage {
-
-namespace {
-
-struct ModelFacts {
-    std::string name;
-    std::vector<std::string> parameters;
-};
-
-const ModelFacts& facts(Model model) {
-    static const auto& table = *new const std::map<Model, ModelFacts>{
-        {Model::turing, {"turing", {"alpha", "beta"}}},
-        {Model::gray_scott, {"gray-scott", {"f", "k"}}},
-        {Model::linear, {"linear", {"au", "bu", "cu", "du", "mu", "av", "bv", "cv", "dv", "mv"}}},
-        {Model::gm1, {"gm1", {"a", "b", "c"}}},
-        {Model::cubic, {"cubic", {"a", "b", "c"}}},
-        {Model::reinforcement, {"reinforcement", {"threshold", "width"}}},
-    };
-    return table.at(model);
-}
-
-}  // namespace
-
-std::size_t parameter_count(Model model) { return facts(model).parameters.size(); }
-const std::vector<std::string>& parameter_names(Model model) { return facts(model).parameters; }
-const std::string& model_name(Model model) { return facts(model).name; }
 
 std::size_t Experiment::chemical(const std::string& name) const {
     const auto found =

@@ -2,6 +2,8 @@
 // The language parses text into it; a C++ user may also fill one by hand and call validate().
 #pragma once
 
+#include "core/models.hpp"
+
 #include <array>
 #include <cstddef>
 #include <cstdint>
@@ -130,26 +132,12 @@ constexpr bool compared_exactly(const Operand& a, const Operand& b) {
 
 // ---- actions
 
-enum class Model { turing, gray_scott, linear, gm1, cubic, reinforcement };
-
-// Names of a model's parameters in the order in which React::parameters holds them.
-//   turing         alpha beta
-//   gray_scott     f k
-//   linear         au bu cu du mu av bv cv dv mv
-//   gm1            a b c
-//   cubic          a b c
-//   reinforcement  threshold width
-std::size_t parameter_count(Model);
-const std::vector<std::string>& parameter_names(Model);
-const std::string& model_name(Model);  // as written in the language: "gray-scott"
-
-// Adds scale * f(u, v) * dt. reinforcement acts on u alone and has v == u; cubic acts on u alone.
+// Adds scale * f(species) * dt to each species that the model changes.
 struct React {
-    Model model = Model::turing;
-    std::size_t u = 0;
-    std::size_t v = 0;
+    Model model;
+    std::vector<std::size_t> species;  // chemicals, in the order of ModelFacts::species; all different
     Operand scale = Operand::number(1.0);
-    std::vector<Operand> parameters;
+    std::vector<Operand> parameters;  // in the order of ModelFacts::parameters
 };
 
 enum class Target { concentration, rate };

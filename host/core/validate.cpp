@@ -135,15 +135,20 @@ private:
     void check_condition(const Probability& probability) const { check_operand(probability.chance); }
 
     void check_action(const Rule&, const React& react) const {
-        check_chemical(react.u, "a reaction");
-        check_chemical(react.v, "a reaction");
-        if ((react.u == react.v) != (react.model == Model::reinforcement)) {
-            fail(react.u == react.v ? "a reaction needs two different chemicals" : "reinforcement takes one chemical");
+        if (react.model.index >= model_table().size()) fail("a rule names a reaction that is not in the table");
+        const ModelFacts& model = react.model.facts();
+        if (react.species.size() != model.species.size()) {
+            fail(fmt::format("{} takes {}; found {}", model.word, counted(model.species.size(), "chemical"),
+                             react.species.size()));
+        }
+        for (const std::size_t chemical : react.species) check_chemical(chemical, "a reaction");
+        if (std::set(react.species.begin(), react.species.end()).size() != react.species.size()) {
+            fail("a reaction needs different chemicals");
         }
         check_operand(react.scale);
-        if (react.parameters.size() != parameter_count(react.model)) {
-            fail(fmt::format("{} takes {}; found {}", model_name(react.model),
-                             counted(parameter_count(react.model), "parameter"), react.parameters.size()));
+        if (react.parameters.size() != model.parameters.size()) {
+            fail(fmt::format("{} takes {}; found {}", model.word, counted(model.parameters.size(), "parameter"),
+                             react.parameters.size()));
         }
         for (const Operand& parameter : react.parameters) check_operand(parameter);
     }

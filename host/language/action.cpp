@@ -4,64 +4,12 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <array>
+#include <string_view>
 
 namespace pelage::language {
 
 namespace {
-
-// ---- reactions
-
-constexpr std::array models{Model::turing, Model::gray_scott, Model::linear,
-                            Model::gm1,    Model::cubic,      Model::reinforcement};
-
-std::vector<std::string_view> model_words() {
-    std::vector<std::string_view> words;
-    words.reserve(models.size());
-    for (const Model model : models) words.push_back(model_name(model));
-    return words;
-}
-
-[[noreturn]] void unknown_partner(const Script& script, const Cursor& cursor) {
-    std::vector<std::string_view> words = model_words();
-    words.emplace_back("scale");
-    const Token& token = cursor.peek();
-    for (const std::string_view name : script.chemical_names()) words.push_back(name);
-    if (cursor.done()) cursor.unknown(token, words);
-    cursor.fail(token, fmt::format("unknown chemical {}; {}{}", Cursor::shown(token), script.chemicals_defined(),
-                                   token.quoted ? "" : suggestion(token.text, words)));
-}
-
-Action parse_react(Script& script, Cursor& cursor) {
-    const std::vector<std::string_view> words = model_words();
-    React react;
-    const Token& first = cursor.peek();
-    react.u = react.v = script.chemical(cursor);
-    const Token& second = cursor.peek();
-    const bool pair = !second.quoted && script.find_chemical(second.text).has_value();
-    if (pair)
-        react.v = script.chemical(cursor);
-    else if (!cursor.done() && second.text != "scale" &&
-             std::find(words.begin(), words.end(), second.text) == words.end())
-        unknown_partner(script, cursor);
-    if (cursor.take("scale")) react.scale = parse_operand(script, cursor, "the scale");
-    const Token& word = cursor.peek();
-    react.model = models[cursor.choose(words)];
-    const bool alone = react.model == Model::reinforcement;
-    if (alone && pair) cursor.fail(second, "'reinforcement' takes one chemical; write 'react NAME reinforcement'");
-    if (!alone && !pair)
-        cursor.fail(word, fmt::format("'{}' takes two chemicals; write 'react NAME NAME {}'", word.text, word.text));
-    if (!alone && react.u == react.v)
-        cursor.fail(second, fmt::format("'{}' reacts with itself; give two different chemicals", first.text));
-    for (const std::string& name : parameter_names(react.model)) {
-        cursor.expect(name);
-        react.parameters.push_back(parse_operand(script, cursor, name));
-    }
-    return react;
-}
-
-// ---- changes
 
 struct Goal {
     std::size_t chemical = 0;
@@ -164,7 +112,7 @@ void check_expand(Cursor& cursor, const Expand& expand, const Options& given, co
     }
 }
 
-Action parse_expand(Cursor& cursor, const Token& at) {
+Action parse_expand(Script&, Cursor& cursor, const Token& at) {
     static constexpr std::array<std::string_view, 6> words{"columns", "rows", "first", "distribution", "weight", "by"};
     static constexpr std::array<std::string_view, 2> order{"columns", "rows"};
     static constexpr std::array<std::string_view, 4> names{"uniform", "shuffled", "normal", "triangular"};
@@ -205,39 +153,48 @@ Action parse_expand(Cursor& cursor, const Token& at) {
     return expand;
 }
 
+// ---- the table of actions
+
+template <Action (*parse)(Script&, Cursor&)>
+Action without_word(Script& script, Cursor& cursor, const Token&) {
+    return parse(script, cursor);
+}
+
+Action parse_and(Script&, Cursor&, const Token&) { return And{}; }
+
+struct ActionWord {
+    std::string_view word;
+    Action (*parse)(Script&, Cursor&, const Token& word);
+    bool always_only = false;                                           // takes no other condition
+    void (Script::*wants)(const Cursor&, const Token& word) = nullptr;  // of the tissue, checked at the end of the file
+};
+
+constexpr std::array<ActionWord, 9> actions{{{"react", without_word<parse_react>},
+                                             {"change", without_word<parse_change>},
+                                             {"set", without_word<parse_replace>},
+                                             {"map", without_word<parse_map>, true},
+                                             {"polarize", without_word<parse_polarize>},
+                                             {"divide", without_word<parse_divide>, false, &Script::refuses_matrix},
+                                             {"move", without_word<parse_move>, false, &Script::refuses_matrix},
+                                             {"expand", parse_expand, true, &Script::expands},
+                                             {"and", parse_and}}};
+
+constexpr auto action_words = [] {
+    std::array<std::string_view, actions.size()> words;
+    for (std::size_t i = 0; i < words.size(); ++i) words[i] = actions[i].word;
+    return words;
+}();
+
 }  // namespace
 
 Action parse_action(Script& script, Cursor& cursor, const Condition& condition) {
-    static constexpr std::array<std::string_view, 9> words{"react",  "change", "set",    "map", "polarize",
-                                                           "divide", "move",   "expand", "and"};
     const Token& word = cursor.peek();
-    const std::size_t action = cursor.choose(words);
-    const bool map_or_expand = action == 3 || action == 7;
-    if (map_or_expand && !std::holds_alternative<Always>(condition)) {
+    const ActionWord& action = actions[cursor.choose(action_words)];
+    if (action.always_only && !std::holds_alternative<Always>(condition)) {
         cursor.fail(word, fmt::format("'{}' takes the condition 'always' and no other", word.text));
     }
-    if (action == 5 || action == 6) script.refuses_matrix(cursor, word);
-    if (action == 7) script.expands(cursor, word);
-    switch (action) {
-        case 0:
-            return parse_react(script, cursor);
-        case 1:
-            return parse_change(script, cursor);
-        case 2:
-            return parse_replace(script, cursor);
-        case 3:
-            return parse_map(script, cursor);
-        case 4:
-            return parse_polarize(script, cursor);
-        case 5:
-            return parse_divide(script, cursor);
-        case 6:
-            return parse_move(script, cursor);
-        case 7:
-            return parse_expand(cursor, word);
-        default:
-            return And{};
-    }
+    if (action.wants != nullptr) (script.*action.wants)(cursor, word);
+    return action.parse(script, cursor, word);
 }
 
 }  // namespace pelage::language

@@ -169,7 +169,8 @@ void parse_define(Script& script, Cursor& cursor) {
                                                            "stencil"};
     const Token& word = cursor.peek();
     const std::size_t what = cursor.choose(words);
-    if (what > 1) script.outside_phases(cursor, word, fmt::format("define {}", word.text));
+    const bool in_phases = word.text == "chemical" || word.text == "time_step";
+    if (!in_phases) script.outside_phases(cursor, word, fmt::format("define {}", word.text));
     switch (what) {
         case 0:
             return parse_chemical(script, cursor);

@@ -40,7 +40,7 @@ private:
     }
     void look(const Probability& probability) { read(probability.chance); }
     void look(const React& react) {
-        chemicals.insert({react.u, react.v});
+        chemicals.insert(react.species.begin(), react.species.end());
         read(react.scale);
         for (const Operand& parameter : react.parameters) read(parameter);
     }

@@ -25,6 +25,7 @@ void parse_zoom(Script&, Cursor&);      // output.cpp
 // ---- pieces that several statements share
 
 Action parse_action(Script&, Cursor&, const Condition&);         // action.cpp
+Action parse_react(Script&, Cursor&);                            // react.cpp
 Operand parse_operand(Script&, Cursor&, std::string_view what);  // operand.cpp
 
 // VALUE [dev DEVIATION]

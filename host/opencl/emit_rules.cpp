@@ -9,6 +9,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <span>
 #include <utility>
 #include <variant>
 
@@ -17,12 +18,10 @@ namespace pelage {
 namespace {
 
 std::string kernel_name(Model model) {
-    std::string name = model_name(model);
+    std::string name = model.facts().word;
     std::replace(name.begin(), name.end(), '-', '_');
     return name;
 }
-
-bool acts_on_one(Model model) { return model == Model::cubic || model == Model::reinforcement; }
 
 // True at the iterations at which the rule acts, as Rule::active(); values past 32 bits never come.
 std::string interval(const Rule& rule) {
@@ -125,17 +124,20 @@ private:
     }
 
     void act(const React& react) {
-        const std::string name = kernel_name(react.model);
-        std::string parameters = operands_.text(react.scale) + ", dt, c" + std::to_string(react.u);
-        if (!acts_on_one(react.model)) parameters += ", c" + std::to_string(react.v);
-        for (const Operand& parameter : react.parameters) parameters += ", " + operands_.text(parameter);
-        out_.use.reacts.insert(static_cast<std::size_t>(react.model));
-        out_.use.concentrations_written.insert(react.u);
-        if (!acts_on_one(react.model)) out_.use.concentrations_written.insert(react.v);
+        const ModelFacts& model = react.model.facts();
+        std::string arguments = operands_.text(react.scale) + ", dt";
+        for (const std::size_t chemical : react.species) arguments += fmt::format(", c{}", chemical);
+        for (const Operand& parameter : react.parameters) arguments += ", " + operands_.text(parameter);
+        out_.use.reacts.insert(react.model.index);
+        const auto changed = std::span(react.species).first(model.changed());
+        out_.use.concentrations_written.insert(changed.begin(), changed.end());
+        for (const std::size_t kept : std::span(react.species).subspan(changed.size()))
+            out_.use.concentrations_read.insert(kept);
         guarded([&] {
-            assign(fmt::format("n{}", react.u), fmt::format("{}_u(n{}, {})", name, react.u, parameters));
-            if (acts_on_one(react.model)) return;
-            assign(fmt::format("n{}", react.v), fmt::format("{}_v(n{}, {})", name, react.v, parameters));
+            for (std::size_t i = 0; i < changed.size(); ++i) {
+                assign(fmt::format("n{}", changed[i]), fmt::format("{}_{}(n{}, {})", kernel_name(react.model),
+                                                                   model.species[i].name, changed[i], arguments));
+            }
         });
     }
 
@@ -254,9 +256,8 @@ RuleText emit_rules(const Experiment& experiment, const std::vector<bool>& activ
 }
 
 std::vector<std::string> model_files(const RuleUse& use) {
-    std::vector<std::string> files{"models/addition.cl"};
-    for (const std::size_t model : use.reacts)
-        files.push_back("models/" + kernel_name(static_cast<Model>(model)) + ".cl");
+    std::vector<std::string> files{"reaction.cl"};
+    for (const std::size_t model : use.reacts) files.push_back("models/" + kernel_name(Model{model}) + ".cl");
     return files;
 }
 

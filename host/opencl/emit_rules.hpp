@@ -29,7 +29,7 @@
 namespace pelage {
 
 struct RuleUse {                                // what the emitted rules need of the kernel
-    std::set<std::size_t> concentrations_read;  // as operands
+    std::set<std::size_t> concentrations_read;  // as operands, or by reactions that keep them
     std::set<std::size_t> concentrations_written;
     std::set<std::size_t> rates_read;
     std::set<std::size_t> rates_written;
@@ -37,7 +37,7 @@ struct RuleUse {                                // what the emitted rules need o
     std::set<std::size_t> mappings_written;
     std::set<std::size_t> sets;       // chemicals with a remembered `set` of the concentration
     std::set<std::size_t> polarizes;  // chemicals
-    std::set<std::size_t> reacts;     // values of Model: kernels/models/NAME.cl must come before
+    std::set<std::size_t> reacts;     // places in model_table(): kernels/models/NAME.cl must come before
     std::set<Quantity> quantities;    // those read that are neither numbers nor indexed
     bool random = false;
     bool polarity = false;  // some rule moves or divides
@@ -59,7 +59,7 @@ RuleText emit_rules(const Experiment&, const std::vector<bool>& active, Precisio
 // A number as written in OpenCL C, exactly: "R(0x1.8p+0f)".
 std::string emit_number(double value, Precision);
 
-// "kernels/models/NAME.cl" of every model used, in order, relative to kernels/, models/addition.cl first.
+// "kernels/models/NAME.cl" of every model used, in order, relative to kernels/, reaction.cl first.
 std::vector<std::string> model_files(const RuleUse&);
 
 }  // namespace pelage

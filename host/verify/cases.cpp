@@ -51,34 +51,24 @@ constexpr Boundary boundaries[] = {Boundary::no_flux, Boundary::wrap, Boundary::
 Experiment diffusing(Lab lab) {
     const auto u = lab.chemical("U", {4, 1}, {0.8, 0}, unbounded);
     const auto v = lab.chemical("V", {4, 1}, {0.2, 0}, {3.25, 4.75});
-    lab.rule(react(Model::turing, u, v, {16, 12}));
+    lab.rule(react(model_named("turing"), {u, v}, {16, 12}));
     return lab.time_step(0.02).done();
 }
 
-struct ModelCase {
-    Model model;
-    Spread u, v;
-    std::vector<double> parameters;
-};
-
-std::vector<ModelCase> model_cases() {
-    return {{Model::turing, {4, 0.5}, {4, 0.5}, {16, 12}},
-            {Model::gray_scott, {0.75, 0.25}, {0.25, 0.2}, {0.37, 0.6}},
-            {Model::linear, {3, 2}, {3, 2}, {0.8, -0.9, 0.4, 0.3, 0.9, 1.1, -0.2, -0.6, 0.5, 0.8}},
-            {Model::gm1, {1, 0.5}, {1, 0.25}, {0.1, 0.7, 0.3}},
-            {Model::cubic, {0.5, 0.5}, {0.5, 0.5}, {0.1, 0.45, 0.95}},
-            {Model::reinforcement, {5, 1.5}, {5, 1.5}, {5, 1.75}}};
-}
-
-// Every model on two chemicals of its own.
+// Every model of the table on chemicals of its own.
 Experiment reacting(Lab lab) {
-    for (const ModelCase& model : model_cases()) {
-        const std::string& name = model_name(model.model);
-        const auto u = lab.chemical(name + " u", model.u, {0.11, 0}, unbounded);
-        const auto v = lab.chemical(name + " v", model.v, {0.07, 0}, unbounded);
-        const bool one = model.model == Model::reinforcement;
-        lab.rule(react(model.model, u, one ? u : v, model.parameters, 0.75));
-        if (one) lab.rule(react(model.model, v, v, model.parameters));
+    for (std::size_t model = 0; model < model_table().size(); ++model) {
+        React react{Model{model}, {}, number(0.75), {}};
+        for (const ModelSpecies& species : react.model.facts().species) {
+            const Spread conc{(species.low + species.high) / 2, (species.high - species.low) / 2};
+            const double rate = react.species.empty() ? 0.11 : 0.07;
+            const std::string name = react.model.facts().word + " " + species.name;
+            react.species.push_back(lab.chemical(name, conc, {rate, 0}, unbounded));
+        }
+        for (const ModelParameter& parameter : react.model.facts().parameters) {
+            react.parameters.push_back(number(sensible(parameter, react.parameters.size())));
+        }
+        lab.rule(react);
     }
     return lab.time_step(0.01).done();
 }

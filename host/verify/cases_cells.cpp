@@ -1,6 +1,11 @@
 // See cases_cells.hpp.
 #include "verify/cases_cells.hpp"
 
+#include "core/models.hpp"
+#include "verify/lab.hpp"
+
+#include <fmt/format.h>
+
 namespace pelage::verify {
 
 // Chemicals whose values, rates and places differ from cell to cell.
@@ -18,18 +23,28 @@ use polarity none
 create hex_circle 4 at 30 5 fixed
 )";
 
-const std::vector<CellCase>& cell_cases() {
-    static const std::vector<CellCase> table{
+namespace {
+
+// On chemicals of its own.
+CellCase reacting(const ModelFacts& model) {
+    CellCase made{"cells/" + model.word, "rule always react", ""};
+    for (const ModelSpecies& species : model.species) {
+        const std::string name = "S_" + species.name;
+        made.before += fmt::format("define chemical {0} floor none\nuse chemical {0} conc {1} dev {2} diff 0.05\n",
+                                   name, (species.low + species.high) / 2, (species.high - species.low) / 2);
+        made.lines += " " + name;
+    }
+    made.lines += " scale 0.01 " + model.word;
+    std::size_t place = 0;
+    for (const ModelParameter& parameter : model.parameters)
+        made.lines += fmt::format(" {} {}", parameter.name, sensible(parameter, place++));
+    made.lines += "\n";
+    return made;
+}
+
+std::vector<CellCase> features() {
+    return {
         {"cells/diffusion-and-collision-alone", ""},
-        {"cells/turing", "rule always react A B scale 0.01 turing alpha 16 beta 12\n"},
-        {"cells/gray-scott", "rule always react A B scale 0.01 gray-scott f 0.03 k 0.06\n"},
-        {"cells/linear",
-         "rule always react A B scale 0.1 linear au 0.08 bu -0.08 cu 0.2 du 0.03 mu 0.2 av 0.1 "
-         "bv 0 cv -0.15 dv 0.06 mv "
-         "0.5\n"},
-        {"cells/gm1", "rule always react A B scale 0.01 gm1 a 0.1 b 0.2 c 0.3\n"},
-        {"cells/cubic", "rule always react A B scale 0.01 cubic a 0 b 2 c 5\n"},
-        {"cells/reinforcement", "rule always react A scale 0.1 reinforcement threshold 3 width 1\n"},
         {"cells/several-chemicals-in-one-reactions-parameters",
          "rule always react A B scale C conc turing alpha B diff beta 12\n"},
         {"cells/change-and-its-deviation",
@@ -69,6 +84,16 @@ const std::vector<CellCase>& cell_cases() {
         {"cells/phases",
          "phase \"one\" 6\nrule always change A conc 0.1\nphase \"two\" 9\ndefine time_step 0.5\n"
          "use chemical B diff 0.07\ndefine chemical A limit 5 floor 1\nrule every 2 always change B conc 0.1\n"}};
+}
+
+}  // namespace
+
+const std::vector<CellCase>& cell_cases() {
+    static const std::vector<CellCase> table = [] {
+        std::vector<CellCase> cases = features();
+        for (const ModelFacts& model : model_table()) cases.push_back(reacting(model));
+        return cases;
+    }();
     return table;
 }
 

@@ -21,7 +21,7 @@ Experiment saturated(Lab lab) {
     for (std::size_t i = 0; i < kinds.size(); ++i) {
         const auto u = lab.chemical(fmt::format("U{}", i), {4, 1.5}, {0.4, 0}, kinds[i]);
         const auto v = lab.chemical(fmt::format("V{}", i), {4, 1.5}, {0.02, 0}, unbounded);
-        lab.rule(react(Model::turing, u, v, {16, 12}));
+        lab.rule(react(model_named("turing"), {u, v}, {16, 12}));
     }
     return lab.time_step(0.02).done();
 }
@@ -70,7 +70,7 @@ Experiment near_zero(Lab lab) {
     const auto v = lab.chemical("V", {1, 0.5}, {0.1, 0}, {subnormal, 1});
     const auto w = lab.chemical("W", {1, 0.5}, {subnormal, 0}, unbounded);
     const auto z = lab.chemical("Z", {1, 0.5}, {0, 0}, {-infinite, 1});
-    lab.rule(react(Model::gray_scott, u, v, {0, 0.06}, 0.1));
+    lab.rule(react(model_named("gray-scott"), {u, v}, {0, 0.06}, 0.1));
     lab.rule(change(v, quantity(Quantity::concentration, w)));
     lab.rule(change(w, number(0x1p-120)), compare(number(subnormal), Comparison::less_equal, number(0)));
     lab.rule(Set{Target::concentration, w, number(-subnormal)},

@@ -96,7 +96,7 @@ Experiment draws(Lab lab, std::int64_t seed) {
     const Operand any = quantity(Quantity::random);
     lab.rule(change(a, number(0.005), 0.5), Probability{number(0.25)});
     lab.rule(change(b, any, 0.125), Within{any, number(0.25), any});
-    React reaction = react(Model::linear, a, b, {0.8, -0.9, 0.4, 0.3, 0.9, 1.1, -0.2, -0.6, 0.5, 0.8});
+    React reaction = react(model_named("linear"), {a, b}, {0.8, -0.9, 0.4, 0.3, 0.9, 1.1, -0.2, -0.6, 0.5, 0.8});
     for (std::size_t i : {0u, 2u, 3u, 6u}) reaction.parameters[i] = any;
     reaction.scale = any;
     lab.rule(reaction, compare(any, Comparison::less_equal, any));
@@ -154,7 +154,7 @@ Experiment restless(Lab lab) {
         rule.from = 3 * i;
         rule.until = 90 - i;
     }
-    lab.rule(react(Model::turing, a, b, {16, 12}, 0.25)).until = 70;
+    lab.rule(react(model_named("turing"), {a, b}, {16, 12}, 0.25)).until = 70;
     return lab.time_step(0.02).done();
 }
 
@@ -162,7 +162,7 @@ Experiment phased(Lab lab) {
     const auto a = lab.chemical("A", {4, 2}, {0.2, 0}, {0, 5.5});
     const auto b = lab.chemical("B", {4, 2}, {0.1, 0.05}, {3, 5});
     const auto c = lab.chemical("C", {4, 2}, {0, 0}, unbounded);
-    lab.rule(react(Model::turing, a, b, {16, 12}));
+    lab.rule(react(model_named("turing"), {a, b}, {16, 12}));
     lab.rule(change(c, number(0.01), 0.01)).until = 29;
     Phase& second = lab.phase(30);
     second.time_step = 0.02;
@@ -195,7 +195,7 @@ Experiment growing(Lab lab, Expand first, Expand second) {
     const auto d = lab.chemical("D", {1, 1}, {0, 0}, unbounded);
     const auto m = lab.mapping("M");
     lab.polarity(45, 90);
-    lab.rule(react(Model::turing, a, b, {16, 12}));
+    lab.rule(react(model_named("turing"), {a, b}, {16, 12}));
     lab.rule(Map{conc(b), 3, 5, m, 0, 1}).every = 2;
     lab.rule(change(d, quantity(Quantity::neighbours)));
     lab.rule(change(d, quantity(Quantity::age)),
@@ -216,7 +216,7 @@ Experiment growing_plain(Lab lab, Expand growth) {
     const auto a = lab.chemical("A", {4, 1}, {0.4, 0}, {0, 5.5});
     const auto b = lab.chemical("B", {4, 1}, {0.1, 0}, {0, 4.75});
     lab.polarity(45, 90);
-    lab.rule(react(Model::turing, a, b, {16, 12}));
+    lab.rule(react(model_named("turing"), {a, b}, {16, 12}));
     lab.rule(growth).every = 2;
     return lab.done();
 }

@@ -1,6 +1,8 @@
 // See lab.hpp.
 #include "verify/lab.hpp"
 
+#include <cmath>
+
 namespace pelage::verify {
 
 namespace {
@@ -93,14 +95,18 @@ Operand quantity(Quantity what, std::size_t index) { return {what, 0.0, index}; 
 
 Condition compare(Operand left, Comparison comparison, Operand right) { return Compare{left, comparison, right}; }
 
-React react(Model model, std::size_t u, std::size_t v, std::vector<double> parameters, double scale) {
+React react(Model model, std::vector<std::size_t> species, std::vector<double> parameters, double scale) {
     React action;
     action.model = model;
-    action.u = u;
-    action.v = v;
+    action.species = std::move(species);
     action.scale = number(scale);
     for (const double parameter : parameters) action.parameters.push_back(number(parameter));
     return action;
+}
+
+double sensible(const ModelParameter& parameter, std::size_t place) {
+    const double turn = 0.37 + 0.618 * static_cast<double>(place);
+    return parameter.low + (parameter.high - parameter.low) * (turn - std::floor(turn));
 }
 
 Change change(std::size_t chemical, Operand amount, double deviation) {

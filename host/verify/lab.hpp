@@ -44,7 +44,9 @@ private:
 Operand number(double);
 Operand quantity(Quantity, std::size_t index = 0);
 Condition compare(Operand left, Comparison, Operand right);
-React react(Model, std::size_t u, std::size_t v, std::vector<double> parameters, double scale = 1.0);
+React react(Model, std::vector<std::size_t> species, std::vector<double> parameters, double scale = 1.0);
+// A value of a model's parameter: another one for each place, so that swapped arguments show.
+double sensible(const ModelParameter&, std::size_t place);
 Change change(std::size_t chemical, Operand amount, double deviation = 0.0);
 Change change_rate(std::size_t chemical, Operand amount, double deviation = 0.0);
 

@@ -30,6 +30,7 @@ struct RandomLimits {
     bool free_cells = true;
     bool phases = true;
     bool extremes = true;                 // a few numbers at the ends of what a float holds, and runs that end in NaN
+    std::vector<std::string> models;      // words of the reactions to draw from; empty: all of the table
     std::vector<RandomShape> shapes;      // in the folder that the text is parsed in
     std::vector<RandomPicture> pictures;  // likewise
 };

@@ -1,6 +1,7 @@
 // Rules of a random experiment: when they act, and what they do.
 #include "verify/random_draft.hpp"
 
+#include "core/error.hpp"
 #include "core/experiment.hpp"
 
 #include <fmt/format.h>
@@ -41,46 +42,35 @@ std::string seldom(Draft& draft) {
 
 // ---- reactions
 
-// In the order of parameter_names().
-std::vector<std::array<double, 2>> sensible(Model model) {
-    switch (model) {
-        case Model::turing:
-            return {{2.0, 18.0}, {0.0, 14.0}};
-        case Model::gray_scott:
-            return {{0.0, 0.125}, {0.0, 0.125}};
-        case Model::linear:
-            return {{-1.0, 1.0}, {-1.0, 1.0}, {0.0, 0.5}, {0.0, 1.0}, {0.0, 1.0},
-                    {-1.0, 1.0}, {-1.0, 1.0}, {0.0, 0.5}, {0.0, 1.0}, {0.0, 1.0}};
-        case Model::gm1:
-            return {{0.0, 0.25}, {0.25, 1.0}, {0.0, 0.5}};
-        case Model::cubic:
-            return {{0.0, 4.0}, {0.0, 4.0}, {0.0, 4.0}};
-        case Model::reinforcement:
-            return {{0.5, 5.0}, {0.125, 3.0}};
+// A model for which there are chemicals enough.
+const ModelFacts& any_model(Draft& draft) {
+    const std::vector<std::string>& wanted = draft.limits.models;
+    std::vector<const ModelFacts*> fitting;
+    for (const ModelFacts& model : model_table()) {
+        const bool allowed = wanted.empty() || std::ranges::find(wanted, model.word) != wanted.end();
+        if (allowed && model.species.size() <= draft.chemicals.size()) fitting.push_back(&model);
     }
-    return {};
+    if (fitting.empty()) throw Error("no reaction that may be drawn takes as few chemicals as the experiment has");
+    return *fitting[draft.dice.below(fitting.size())];
 }
 
 std::string react(Draft& draft) {
     Dice& dice = draft.dice;
-    const bool alone = draft.chemicals.size() < 2 || dice.chance(12);
-    const Model model =
-        alone ? Model::reinforcement
-              : dice.pick({Model::turing, Model::turing, Model::gray_scott, Model::linear, Model::gm1, Model::cubic});
-    const std::size_t first = dice.below(draft.chemicals.size());
-    std::string text = "react " + draft.chemicals[first].name;
-    if (!alone) {
-        const std::size_t second = (first + dice.from_to(1, draft.chemicals.size() - 1)) % draft.chemicals.size();
-        text += " " + draft.chemicals[second].name;
+    const ModelFacts& model = any_model(draft);
+    std::vector<std::string> names;
+    for (const ChemicalDraft& chemical : draft.chemicals) names.push_back(chemical.name);
+    std::string text = "react";
+    for (std::size_t i = 0; i < model.species.size(); ++i) {
+        const auto chosen = names.begin() + static_cast<std::ptrdiff_t>(dice.below(names.size()));
+        text += " " + *chosen;
+        names.erase(chosen);
     }
     const double scale = std::min(1.0, 0.05 / draft.time_step);  // so that no iteration leaps
     if (scale < 1.0 || dice.chance(35)) text += " scale " + draw_parameter(draft, 0.125 * scale, scale);
-    text += " " + model_name(model);
+    text += " " + model.word;
     const bool drawn = dice.chance(6);  // all parameters by chance
-    const auto intervals = sensible(model);
-    for (std::size_t i = 0; i < intervals.size(); ++i) {
-        const auto [low, high] = intervals[i];
-        text += " " + parameter_names(model)[i] + " " + (drawn ? "RANDOM" : draw_parameter(draft, low, high));
+    for (const auto& [name, low, high] : model.parameters) {
+        text += " " + name + " " + (drawn ? "RANDOM" : draw_parameter(draft, low, high));
     }
     return text;
 }

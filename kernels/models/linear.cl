@@ -1,3 +1,4 @@
+//@ model linear | u 1 to 5, v 1 to 5 | au -1 to 1, bu -1 to 1, cu 0 to 0.5, du 0 to 1, mu 0 to 1, av -1 to 1, bv -1 to 1, cv 0 to 0.5, dv 0 to 1, mv 0 to 1
 // Kondo & Asai's linear system: production a u + b v + c held in [0, m], less decay d.
 
 static inline real pelage_linear(real n, real s, real dt, real u, real v, real own, real a, real b, real c, real d, real m) {

@@ -1,3 +1,4 @@
+//@ model turing | u 3.5 to 4.5, v 3.5 to 4.5 | alpha 2 to 18, beta 0 to 14
 // Turing's nonlinear system: f = alpha - u v, g = u v - v - beta.
 
 static inline real turing_u(real n, real s, real dt, real u, real v, real alpha, real beta) {

@@ -2,13 +2,20 @@
 // du/dt = a - b u + u^2 / (v (1 + c u^2)), dv/dt = u^2 - v.
 #pragma once
 
-#include "reference/models/flow.hpp"
+#include "reference/flow.hpp"
+
+#include <cstddef>
+#include <string_view>
 
 namespace pelage::reference {
 
 struct Gm1 {
+    static constexpr std::string_view word = "gm1";
+    static constexpr std::size_t species = 2;
+    static constexpr std::size_t parameters = 3;
+
     template <class T, class P>
-    static Flow<T> flow(T u, T v, const P& p) {
+    static Flow<T, 2> flow(T u, T v, const P& p) {
         const T a = p[0], b = p[1], c = p[2];
         const T uu = u * u;
         return {(a - b * u) + (uu / (v * (T(1) + ((c * u) * u)))), uu - v};

@@ -39,8 +39,8 @@ std::string compared(bench::Task& expected, bench::Task& found, std::uint64_t it
 }  // namespace
 
 TEST_CASE("the OpenMP lattice has the reference's bits at any size and boundary") {
-    const std::vector<std::pair<Model, std::string>> models{{Model::turing, "turing alpha 16 beta 12"},
-                                                            {Model::gray_scott, "gray-scott f 0.37 k 0.6"}};
+    const std::vector<std::pair<Model, std::string>> models{{model_named("turing"), "turing alpha 16 beta 12"},
+                                                            {model_named("gray-scott"), "gray-scott f 0.37 k 0.6"}};
     const std::vector<std::pair<std::size_t, std::size_t>> sizes{{1, 1},  {1, 5},   {7, 1},   {2, 3},
                                                                  {16, 4}, {17, 31}, {65, 33}, {300, 20}};
     for (const auto& [model, text] : models) {

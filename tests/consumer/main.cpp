@@ -15,7 +15,7 @@ pelage::Experiment spots() {
         pelage::UseChemical{1, pelage::Spread{4.0, 0.5}, pelage::Spread{2.0, 0.0}},
         pelage::CreateMatrix{37, 23, pelage::Boundary::wrap, 0.0, 0.0},
     };
-    pelage::React react{pelage::Model::turing, 0, 1, pelage::Operand::number(1.0), {}};
+    pelage::React react{pelage::model_named("turing"), {0, 1}, pelage::Operand::number(1.0), {}};
     react.parameters = {pelage::Operand::number(16.0), pelage::Operand::number(12.0)};
     pelage::Rule rule;
     rule.action = react;

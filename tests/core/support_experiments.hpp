@@ -14,7 +14,7 @@ inline pelage::Experiment turing_matrix(std::size_t columns, std::size_t rows) {
     experiment.prepattern = {UseChemical{0, Spread{4, 1}, Spread{5, 0}}, UseChemical{1, Spread{4, 1}, Spread{1, 0}},
                              CreateMatrix{columns, rows, Boundary::wrap, 0, 0}};
     Rule rule;
-    rule.action = React{Model::turing, 0, 1, Operand::number(1), {Operand::number(16), Operand::number(12)}};
+    rule.action = React{model_named("turing"), {0, 1}, Operand::number(1), {Operand::number(16), Operand::number(12)}};
     experiment.rules = {rule};
     experiment.outputs = {Output{}};
     return experiment;

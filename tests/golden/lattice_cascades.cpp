@@ -22,8 +22,8 @@ Experiment cascade(double k) {
     Experiment experiment =
         test::matrix(100, 100, Boundary::wrap, Stencil::five_point, 1.0,
                      {{"a", 0.1, {}}, {"b", 0.02, {}}, {"beta", 0.0, {0.0, none}}, {"frozen", 0.0, {}}});
-    experiment.rules = {test::always(
-        React{Model::turing, a, b, Operand::number(k), {Operand::number(16.0), Operand::concentration(beta)}})};
+    experiment.rules = {test::always(React{
+        model_named("turing"), {a, b}, Operand::number(k), {Operand::number(16.0), Operand::concentration(beta)}})};
     for (const std::size_t chemical : {a, b}) {
         Rule keep = test::always(Set{Target::concentration, chemical, Operand::concentration(chemical)});
         keep.condition = Compare{Operand::concentration(frozen), Comparison::equal, Operand::number(1.0)};

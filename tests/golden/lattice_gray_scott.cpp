@@ -21,7 +21,7 @@ Experiment art(std::size_t columns, std::size_t rows, double feed, const Operand
     if (kill.quantity == Quantity::concentration) substances.push_back({"K", 0.0, {-none, none}});
     Experiment experiment = test::matrix(columns, rows, Boundary::absorbing, Stencil::sims, 1.0, substances);
     experiment.rules = {
-        test::always(React{Model::gray_scott, 0, 1, Operand::number(1.0), {Operand::number(feed), kill}})};
+        test::always(React{model_named("gray-scott"), {0, 1}, Operand::number(1.0), {Operand::number(feed), kill}})};
     return experiment;
 }
 

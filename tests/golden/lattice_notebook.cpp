@@ -36,7 +36,7 @@ Experiment Notebook::turing(const std::string& part, const std::vector<std::size
         shape[1], shape[0], boundary(p), Stencil::nine_point, p.at("delta_t"),
         {{"a", p.at("diff_a"), {p.at("inf_a"), p.at("sup_a")}}, {"b", p.at("diff_b"), {p.at("inf_b"), p.at("sup_b")}}});
     const auto number = [](double value) { return Operand::number(value); };
-    experiment.rules = {always(React{Model::turing, 0, 1, number(1), {number(16), number(12)}})};
+    experiment.rules = {always(React{model_named("turing"), {0, 1}, number(1), {number(16), number(12)}})};
     return experiment;
 }
 
@@ -46,7 +46,7 @@ Experiment Notebook::reinforcement(const std::string& part, const std::vector<st
                                    {{"c", p.at("diff_c"), {-no_limit, no_limit}}});
     const auto number = [&](const char* key) { return Operand::number(p.at(key)); };
     experiment.rules = {
-        always(React{Model::reinforcement, 0, 0, Operand::number(1), {number("threshold"), number("width")}})};
+        always(React{model_named("reinforcement"), {0}, Operand::number(1), {number("threshold"), number("width")}})};
     return experiment;
 }
 

@@ -7,22 +7,20 @@ using namespace pelage;
 using namespace test;
 
 TEST_CASE("reactions take their parameters in order") {
-    const std::pair<const char*, Model> all[] = {
-        {"turing alpha 1 beta 2", Model::turing},
-        {"gray-scott f 1 k 2", Model::gray_scott},
-        {"linear au 1 bu 2 cu 3 du 4 mu 5 av 6 bv 7 cv 8 dv 9 mv 10", Model::linear},
-        {"gm1 a 1 b 2 c 3", Model::gm1},
-        {"cubic a 1 b 2 c 3", Model::cubic},
-    };
-    for (const auto& [text, model] : all) {
-        const auto react = action_on_grid<React>(std::string("rule always react V U ") + text);
+    for (std::size_t model = 0; model < model_table().size(); ++model) {
+        const ModelFacts& facts = model_table()[model];
+        if (facts.species.size() != 2) continue;
+        std::string text = "rule always react V U " + facts.word;
+        for (std::size_t i = 0; i < facts.parameters.size(); ++i) {
+            text += " " + facts.parameters[i].name + " " + std::to_string(i + 1);
+        }
+        const auto react = action_on_grid<React>(text);
 
         INFO(text);
-        CHECK(react.model == model);
-        CHECK(react.u == 1);
-        CHECK(react.v == 0);
+        CHECK(react.model == Model{model});
+        CHECK(react.species == std::vector<std::size_t>{1, 0});
         CHECK(react.scale == Operand::number(1.0));
-        REQUIRE(react.parameters.size() == parameter_count(model));
+        REQUIRE(react.parameters.size() == facts.parameters.size());
         for (std::size_t i = 0; i < react.parameters.size(); ++i) {
             CHECK(react.parameters[i] == Operand::number(static_cast<double>(i + 1)));
         }
@@ -32,9 +30,8 @@ TEST_CASE("reactions take their parameters in order") {
 TEST_CASE("reinforcement takes one chemical") {
     const auto react = action_on_grid<React>("rule always react V scale 0.5 reinforcement threshold 5 width U conc");
 
-    CHECK(react.model == Model::reinforcement);
-    CHECK(react.u == 1);
-    CHECK(react.v == 1);
+    CHECK(react.model == model_named("reinforcement"));
+    CHECK(react.species == std::vector<std::size_t>{1});
     CHECK(react.scale == Operand::number(0.5));
     CHECK(react.parameters == std::vector<Operand>{Operand::number(5.0), Operand::concentration(0)});
 }
@@ -45,8 +42,7 @@ TEST_CASE("a chemical may bear a name that is a word elsewhere") {
         "rule if conc conc > 1 react scale conc scale conc diff turing alpha 16 beta 12\n");
 
     const auto react = std::get<React>(e.rules.at(0).action);
-    CHECK(react.u == 0);
-    CHECK(react.v == 1);
+    CHECK(react.species == std::vector<std::size_t>{0, 1});
     CHECK(react.scale == Operand::rate(1));
 }
 

@@ -1,9 +1,27 @@
 // rules: each malformed line with the whole message it must give.
 #include "language/error_case.hpp"
 
+#include "core/models.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
 #include <catch2/catch.hpp>
 
+#include <string>
+#include <vector>
+
 using namespace test;
+
+namespace {
+
+// All words of the table, as they stand in messages.
+std::string reactions() {
+    std::vector<std::string> words;
+    for (const pelage::ModelFacts& model : pelage::model_table()) words.push_back(model.word);
+    return fmt::format("{}", fmt::join(words, ", "));
+}
+
+}  // namespace
 
 TEST_CASE("malformed rules say where and what is allowed") {
     const ErrorCase cases[] = {
@@ -44,11 +62,12 @@ TEST_CASE("malformed rules say where and what is allowed") {
          "t.pex:4:21: 'U' reacts with itself; give two different chemicals"},
         {grid, "rule always react U turing alpha 16 beta 12",
          "t.pex:4:21: 'turing' takes two chemicals; write 'react NAME NAME turing'"},
+        {grid, "rule always react U V U turing alpha 16 beta 12",
+         "t.pex:4:23: 'turing' takes two chemicals; write 'react NAME NAME turing'"},
         {grid, "rule always react U V reinforcement threshold 1 width 1",
          "t.pex:4:21: 'reinforcement' takes one chemical; write 'react NAME reinforcement'"},
         {grid, "rule always react U V turring alpha 16 beta 12",
-         "t.pex:4:23: unknown word 'turring'; allowed here: turing, gray-scott, linear, gm1, cubic, reinforcement; did "
-         "you mean 'turing'?"},
+         "t.pex:4:23: unknown word 'turring'; allowed here: " + reactions() + "; did you mean 'turing'?"},
         {grid, "rule always react U V turing beta 12 alpha 16", "t.pex:4:30: unknown word 'beta'; allowed here: alpha"},
         {grid, "rule always react U V gray-scott f 0.03", "t.pex:4:40: the line ends too early; allowed here: k"},
         {grid, "rule always react U V scale 1e999 turing alpha 16 beta 12",

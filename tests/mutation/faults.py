@@ -35,7 +35,7 @@ FAULTS = [
     ("last bit of the reinforcement gain", "kernels/models/reinforcement.cl", "0x1.4c8dc2p+1f  //", "0x1.4c8dc4p+1f  //"),
     ("linear production without its upper bound", "kernels/models/linear.cl", "SELECT(sum > m, m, sum)",
      "SELECT(sum > m, sum, sum)"),
-    ("reaction added without its scale", "kernels/models/addition.cl", "fma((s) * (dt), f, n)", "fma(dt, f, n)"),
+    ("reaction added without its scale", "kernels/reaction.cl", "fma((s) * (dt), f, n)", "fma(dt, f, n)"),
     ("upper limit ignored", "kernels/prelude.cl", "SELECT(v > high, high, v)", "SELECT(v > high, v, v)"),
     ("contraction left on", "kernels/prelude.cl", "#pragma OPENCL FP_CONTRACT OFF", "#pragma OPENCL FP_CONTRACT ON"),
     ("harmonic mean without its 2", "kernels/exchange.cl", "(R(2) * (own * theirs)) / (own + theirs)",

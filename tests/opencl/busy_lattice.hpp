@@ -19,7 +19,7 @@ inline Experiment busy(std::size_t columns, std::size_t rows, Boundary boundary)
     const std::size_t u = lab.chemical("U", {4, 2}, {5, 0}, {0, 6});
     const std::size_t v = lab.chemical("V", {4, 2}, {1, 0});
     const std::size_t m = lab.chemical("M", {1, 1}, {0, 0}, unbounded);
-    lab.rule(react(Model::turing, u, v, {16, 12}));
+    lab.rule(react(model_named("turing"), {u, v}, {16, 12}));
     lab.rule(change(v, number(0.005), 0.005), compare(quantity(Quantity::row), Comparison::less, number(5)));
     lab.rule(And{}, compare(quantity(Quantity::column), Comparison::greater, number(5)));
     lab.rule(change(m, quantity(Quantity::concentration, u)), Probability{number(0.3)});

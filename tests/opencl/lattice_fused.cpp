@@ -28,6 +28,16 @@ OpenclOptions banded() {
 
 TEST_CASE("fused: diffusion") { check_cases("diffusion/", banded(), {1, 3}); }
 TEST_CASE("fused: every reaction") { check_cases("reaction/", banded()); }
+TEST_CASE("fused: a reaction may read a chemical that nothing changes") {
+    Lab lab = Lab::matrix(61, 37, Boundary::wrap);
+    const std::size_t u = lab.chemical("U", {0.5, 0.5}, {0.2, 0}, unbounded);
+    const std::size_t v = lab.chemical("V", {0.5, 0.5}, {0, 0}, unbounded);
+    lab.rule(react(model_named("cubic"), {u, v}, {0.1, 0.45, 0.95}));
+    const Experiment experiment = lab.time_step(0.1).done();
+
+    require_equal(run(*reference_backend(Precision::single_), experiment, {40}),
+                  run(*opencl_backend(fused()), experiment, {40}));
+}
 TEST_CASE("fused: polarized cells") {
     check_cases("rates/polarized/nine-point", banded());
     check_cases("rates/polarized/five-point/no-flux", banded());

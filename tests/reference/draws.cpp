@@ -92,7 +92,7 @@ TEST_CASE("every RANDOM of a rule, every rule, cell and iteration draws anew") {
 
 TEST_CASE("a model with more than four RANDOM parameters draws each on its own") {
     Experiment experiment = test::matrix(side, side, Boundary::wrap, Stencil::nine_point, {"U", "V"});
-    React react{Model::linear, 0, 1, test::number(1), std::vector<Operand>(10, test::number(0))};
+    React react{model_named("linear"), {0, 1}, test::number(1), std::vector<Operand>(10, test::number(0))};
     react.parameters[2] = {Quantity::random};  // cu and cv
     react.parameters[7] = {Quantity::random};
     react.parameters[4] = react.parameters[9] = test::number(1);

@@ -145,7 +145,7 @@ TEST_CASE("a shift around the torus commutes with the iteration") {
          {test::matrix(11, 5, Boundary::wrap, Stencil::nine_point, {"U", "V"}), test::grid(11, 5, true, {"U", "V"})}) {
         experiment.phases[0].time_step = 0.01;
         experiment.rules = {
-            test::rule(React{Model::turing, 0, 1, test::number(1), {test::number(16), test::number(12)}})};
+            test::rule(React{model_named("turing"), {0, 1}, test::number(1), {test::number(16), test::number(12)}})};
         Snapshot state = test::blank(experiment);
         state.conc = {test::scatter(55, 3, 5, 1), test::scatter(55, 3, 5, 2)};
         state.diff = {std::vector<double>(55, 5.0), std::vector<double>(55, 1.0)};

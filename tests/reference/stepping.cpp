@@ -30,7 +30,7 @@ Experiment busy(bool grid) {
     const Operand mapping{Quantity::mapping, 0.0, 0};
     experiment.rules = {
         test::rule(Map{Operand::concentration(2), 0.0, 1.0, 0, 0.5, 1.5}),
-        test::rule(React{Model::turing, 0, 1, mapping, {test::number(16), test::number(12)}}),
+        test::rule(React{model_named("turing"), {0, 1}, mapping, {test::number(16), test::number(12)}}),
         test::rule(Polarize{0}),
         test::rule(Change{Target::concentration, 2, test::number(0.01), 0.02}, Probability{test::number(0.3)}),
         test::rule(And{}, test::compare({Quantity::random}, Comparison::less, test::number(0.5))),

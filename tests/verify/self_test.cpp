@@ -9,6 +9,8 @@
 
 #include <catch2/catch.hpp>
 
+#include <algorithm>
+
 using namespace pelage;
 using namespace pelage::verify;
 
@@ -39,7 +41,7 @@ TEST_CASE("this device passes, on lattices that change their rules and grow, and
         const Experiment experiment = lattice_case(name).experiment({60, 40});
         CHECK(self_test({}, experiment, initial_state(experiment), 80).empty());
     }
-    const CellCase& cells = cell_cases().at(16);
+    const CellCase& cells = *std::ranges::find(cell_cases(), "cells/move", &CellCase::name);
     const Experiment experiment = parse_experiment(cells.text(), cells.name, ".");
     CHECK(self_test({}, experiment, initial_state(experiment), 80).empty());
 }

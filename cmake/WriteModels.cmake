@@ -1,0 +1,76 @@
+# Writes the table of reactions, run by EmbedKernels.cmake:
+#   LINES       the declarations at the heads of KERNELS/*.cl
+#   REFERENCES  the reference's models, REFERENCE/*.hpp; a file x_y.hpp there defines a struct XY
+#   WORDS       their words and their parameters' names, a line each, quoted as libFuzzer's dictionaries are
+file(GLOB kernels ${KERNELS}/*.cl)
+file(GLOB references ${REFERENCE}/*.hpp)
+foreach(reference IN LISTS references)
+  get_filename_component(name ${reference} NAME_WE)
+  if(NOT EXISTS ${KERNELS}/${name}.cl)
+    message(FATAL_ERROR "${reference}: OpenCL has no such model; it would be ${KERNELS}/${name}.cl")
+  endif()
+endforeach()
+
+set(lines "// Made by cmake/WriteModels.cmake from kernels/models.\n#include \"core/model_lines.hpp\"\n\nnamespace pelage {\n\n")
+string(APPEND lines "const std::vector<ModelLine>& model_lines() {\n")
+string(APPEND lines "    static const auto& lines = *new const std::vector<ModelLine>{\n")
+foreach(kernel IN LISTS kernels)
+  get_filename_component(name ${kernel} NAME_WE)
+  if(NOT EXISTS ${REFERENCE}/${name}.hpp)
+    message(FATAL_ERROR "${kernel}: the reference has no such model; it would be ${REFERENCE}/${name}.hpp")
+  endif()
+  file(STRINGS ${kernel} line LIMIT_COUNT 1)
+  if(NOT line MATCHES "^//@ (model ([^|]*[^| ]) *\\|([^|]*)\\|([^|]*))$")
+    message(FATAL_ERROR "${kernel}:1: a model's kernel file begins with '//@ model WORD | SPECIES LOW to HIGH, ... | "
+      "PARAMETER LOW to HIGH, ...' (see kernels/reaction.cl); found '${line}'")
+  endif()
+  set(declaration "${CMAKE_MATCH_1}")
+  set(word "${CMAKE_MATCH_2}")
+  string(STRIP "${CMAKE_MATCH_4}" parameters)
+  string(REPLACE "," ";" species "${CMAKE_MATCH_3}")
+  string(REPLACE "," ";" parameters "${parameters}")
+  list(LENGTH species species_count)
+  list(LENGTH parameters parameter_count)
+  string(APPEND lines "        {\"${name}\", R\"__line__(${declaration})__line__\"},\n")
+
+  string(APPEND words "\"${word}\"\n")
+  foreach(parameter IN LISTS parameters)
+    string(REGEX MATCH "[^ ]+" parameter "${parameter}")
+    string(APPEND words "\"${parameter}\"\n")
+  endforeach()
+
+  string(REPLACE "_" ";" parts "${name}")
+  set(type)
+  foreach(part IN LISTS parts)
+    string(SUBSTRING "${part}" 0 1 first)
+    string(SUBSTRING "${part}" 1 -1 rest)
+    string(TOUPPER "${first}" first)
+    string(APPEND type "${first}${rest}")
+  endforeach()
+  list(APPEND types ${type})
+  string(APPEND includes "#include \"reference/models/${name}.hpp\"\n")
+  string(APPEND checks "static_assert(${type}::word == \"${word}\" && ${type}::species == ${species_count} && "
+    "${type}::parameters == ${parameter_count},\n"
+    "              \"word, species and parameters of reference/models/${name}.hpp are those of the first line of \"\n"
+    "              \"kernels/models/${name}.cl\");\n")
+endforeach()
+string(APPEND lines "    };\n    return lines;\n}\n\n}  // namespace pelage\n")
+
+list(JOIN types ", " types)
+set(models "// Made by cmake/WriteModels.cmake from reference/models and the first lines of kernels/models.\n#pragma once\n\n")
+string(APPEND models "${includes}\n#include <tuple>\n\nnamespace pelage::reference {\n\n${checks}\n")
+string(APPEND models "using Models = std::tuple<${types}>;\n\n}  // namespace pelage::reference\n")
+
+# Files that would stay the same keep their time: what includes them is not compiled again.
+foreach(output LINES REFERENCES WORDS)
+  set(text_of_LINES "${lines}")
+  set(text_of_REFERENCES "${models}")
+  set(text_of_WORDS "${words}")
+  set(before)
+  if(EXISTS ${${output}})
+    file(READ ${${output}} before)
+  endif()
+  if(NOT before STREQUAL text_of_${output})
+    file(WRITE ${${output}} "${text_of_${output}}")
+  endif()
+endforeach()
