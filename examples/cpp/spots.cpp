@@ -14,7 +14,7 @@ use chemical U conc 4 dev 0.5 diff 10
 use chemical V conc 4 dev 0.5 diff 2
 create matrix 64 64 wrap
 rule always react U V turing alpha 16 beta 12
-output U gradient FFD080 201000
+output U colormap heat
 stop at 3000
 )";
 
