@@ -22,6 +22,7 @@ add_custom_command(
   BYPRODUCTS ${PELAGE_MODEL_TABLE} ${PELAGE_MODEL_TYPES} ${PELAGE_MODEL_WORDS}
   COMMAND ${CMAKE_COMMAND} -DLINES=${PELAGE_MODEL_TABLE} -DREFERENCES=${PELAGE_MODEL_TYPES} -DWORDS=${PELAGE_MODEL_WORDS}
           -DKERNELS=${PROJECT_SOURCE_DIR}/kernels/models -DREFERENCE=${PROJECT_SOURCE_DIR}/reference/models
+          "-DFILES=${model_files}"
           -P ${PROJECT_SOURCE_DIR}/cmake/WriteModels.cmake
   COMMAND ${CMAKE_COMMAND} -E touch ${generated}/models.stamp
   DEPENDS ${model_files} ${PROJECT_SOURCE_DIR}/cmake/WriteModels.cmake

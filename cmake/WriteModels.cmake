@@ -2,8 +2,11 @@
 #   LINES       the declarations at the heads of KERNELS/*.cl
 #   REFERENCES  the reference's models, REFERENCE/*.hpp; a file x_y.hpp there defines a struct XY
 #   WORDS       their words and their parameters' names, a line each, quoted as libFuzzer's dictionaries are
-file(GLOB kernels ${KERNELS}/*.cl)
-file(GLOB references ${REFERENCE}/*.hpp)
+# FILES are those of both folders: named in the command, so that it runs again when one is gone.
+set(kernels ${FILES})
+list(FILTER kernels INCLUDE REGEX "\\.cl$")
+set(references ${FILES})
+list(FILTER references INCLUDE REGEX "\\.hpp$")
 foreach(reference IN LISTS references)
   get_filename_component(name ${reference} NAME_WE)
   if(NOT EXISTS ${KERNELS}/${name}.cl)

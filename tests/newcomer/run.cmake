@@ -122,4 +122,9 @@ execute_process(COMMAND ${CMAKE_COMMAND} --build build --target pelage WORKING_D
 if(result EQUAL 0 OR NOT output MATCHES "those of the first line")
   message(FATAL_ERROR "a parameter that is left out is not told:\n${output}")
 endif()
+
+# Taken away again, it is gone from the table.
+file(REMOVE ${WORK}/kernels/models/three_rivals.cl ${WORK}/reference/models/three_rivals.hpp)
+run(0 ${CMAKE_COMMAND} --build build --target pelage_command)
+run(2 build/pelage check rivals.pex)
 file(REMOVE_RECURSE ${WORK})
