@@ -5,7 +5,6 @@
 #include "app/say.hpp"
 #include "io/atomic_file.hpp"
 #include "opencl/device.hpp"
-#include "opencl/pocl.hpp"
 
 #include <fmt/format.h>
 #include <CLI/Config.hpp>
@@ -82,9 +81,9 @@ nlohmann::ordered_json json_of(const std::vector<DeviceInfo>& devices) {
 int list(const std::filesystem::path& json) {
     const std::vector<DeviceInfo> devices = list_devices();
     if (devices.empty()) {
-        const std::string trouble = pocl_trouble();
-        say("No OpenCL device is there: experiments run on the reference. {}.\n",
-            trouble.empty() ? "pocl-opencl-icd makes one of the CPU" : trouble);
+        std::string reason = why_no_devices();
+        reason.front() = 'N';
+        say("{}; experiments run on the reference.\n", reason);
     } else {
         print_table(devices);
     }

@@ -1,19 +1,41 @@
 // See last_will.hpp. In the handler only calls that are safe there: another program removes the folder.
 #include "app/last_will.hpp"
 
+#include "app/commands.hpp"
+#include "core/allowance.hpp"
+#include "opencl/device.hpp"
 #include "opencl/pocl.hpp"
 
+#include <fcntl.h>
+#include <fmt/format.h>
+#include <pthread.h>
+#include <sys/prctl.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <array>
+#include <atomic>
 #include <csignal>
 #include <cstdlib>
-#include <initializer_list>
+#include <new>
+#include <string>
 
 namespace pelage::app {
 
 namespace {
+
+constexpr std::array requests{SIGHUP, SIGINT, SIGQUIT, SIGALRM, SIGTERM, SIGXCPU};
+constexpr std::array crashes{SIGILL, SIGABRT, SIGBUS, SIGSEGV};
+
+// Made in the beginning: there may be no memory to make them when they are needed.
+struct LastWords {
+    std::string on_crash;  // empty: nothing is to be said
+    std::string without_memory;
+};
+const LastWords* last_words = nullptr;
+
+std::atomic_flag ending = ATOMIC_FLAG_INIT;
 
 void remove_folder(const char* folder) {
     const pid_t child = _Fork();
@@ -24,9 +46,34 @@ void remove_folder(const char* folder) {
     if (child > 0) waitpid(child, nullptr, 0);
 }
 
-extern "C" void end_tidily(int signal) {
-    std::signal(signal, SIG_DFL);
+// The first thread alone ends the process. Others may run on into what is being removed: nobody hears their complaints.
+void put_in_order(const std::string& words) {
+    while (ending.test_and_set()) pause();
+    if (!words.empty()) (void)!write(STDERR_FILENO, words.data(), words.size());
+    const int nothing = open("/dev/null", O_WRONLY | O_CLOEXEC);
+    if (nothing >= 0) dup2(nothing, STDERR_FILENO);
     if (const char* folder = pocl_folder_name()) remove_folder(folder);
+}
+
+bool is_crash(int signal) { return std::ranges::find(crashes, signal) != crashes.end(); }
+
+extern "C" void end_tidily(int signal);
+
+void handle(int signal) {
+    struct sigaction action {};
+    action.sa_handler = end_tidily;
+    sigfillset(&action.sa_mask);
+    sigaction(signal, &action, nullptr);
+}
+
+void end_tidily(int signal) {
+    if (!is_crash(signal)) {
+        for (const int crash : crashes) handle(crash);  // of other threads; a driver may have put its own there
+    }
+    const bool short_of_memory = is_crash(signal) && !last_words->on_crash.empty() && drivers_started();
+    put_in_order(short_of_memory ? last_words->on_crash : std::string());
+    if (short_of_memory) _exit(bad_input);
+    std::signal(signal, SIG_DFL);
     sigset_t one;
     sigemptyset(&one);
     sigaddset(&one, signal);
@@ -35,17 +82,50 @@ extern "C" void end_tidily(int signal) {
     _exit(128 + signal);  // the first process of a container does not end by signals
 }
 
+// An exception that passes through a driver leaves it with its locks taken, and whatever lets go of the driver's
+// objects then waits for ever.
+void end_without_memory() {
+    if (!drivers_started()) throw std::bad_alloc();
+    put_in_order(last_words->without_memory);
+    _exit(bad_input);
+}
+
+LastWords words_for(const std::optional<ProcessLimit>& limit) {
+    if (!limit) return {"", "pelage: out of memory\n"};
+    const std::string allowed =
+        fmt::format("this process may take {:.0f} MiB ({})\n", limit->bytes / (1 << 20), limit->option);
+    return {"pelage: an OpenCL driver broke down, perhaps for want of memory: " + allowed,
+            "pelage: out of memory: " + allowed};
+}
+
 }  // namespace
 
 void tidy_when_killed() {
-    for (const int signal : {SIGHUP, SIGINT, SIGQUIT, SIGILL, SIGABRT, SIGBUS, SIGSEGV, SIGALRM, SIGTERM, SIGXCPU}) {
+    static const LastWords words = words_for(process_limit());
+    last_words = &words;
+    const auto unless_chosen = [](int signal) {
         struct sigaction before {};
-        if (sigaction(signal, nullptr, &before) != 0 || before.sa_handler != SIG_DFL) continue;
-        struct sigaction action {};
-        action.sa_handler = end_tidily;
-        sigfillset(&action.sa_mask);
-        sigaction(signal, &action, nullptr);
+        if (sigaction(signal, nullptr, &before) == 0 && before.sa_handler == SIG_DFL) handle(signal);
+    };
+    std::ranges::for_each(requests, unless_chosen);
+    std::ranges::for_each(crashes, unless_chosen);
+    std::set_new_handler(end_without_memory);
+}
+
+void keep_ignored() {
+    sigset_t ignored;
+    sigemptyset(&ignored);
+    for (const int signal : {SIGHUP, SIGINT, SIGQUIT, SIGTERM, SIGUSR1, SIGUSR2, SIGPIPE, SIGXFSZ, SIGXCPU}) {
+        struct sigaction found {};
+        if (sigaction(signal, nullptr, &found) == 0 && found.sa_handler == SIG_IGN) sigaddset(&ignored, signal);
     }
+    pthread_sigmask(SIG_BLOCK, &ignored, nullptr);
+}
+
+void end_with_parent() {
+    const pid_t parent = getppid();
+    prctl(PR_SET_PDEATHSIG, SIGTERM);
+    if (getppid() != parent) raise(SIGTERM);
 }
 
 }  // namespace pelage::app

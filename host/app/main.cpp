@@ -30,6 +30,7 @@ int run(int argc, char** argv) {
 
 int main(int argc, char** argv) {
     pelage::app::prepare_printing();
+    pelage::app::keep_ignored();
     pelage::app::tidy_when_killed();
     try {
         return run(argc, argv);

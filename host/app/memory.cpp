@@ -40,14 +40,17 @@ void check_host_memory(const Experiment& experiment, const Footprint& need, Work
     const double work = worked == Worked::by_reference     ? need.reference
                         : worked == Worked::in_main_memory ? need.device
                                                            : 0;
-    const double bytes = need.states() + work;
-    if (bytes <= available) return;
-    throw Error(
-        fmt::format("{}: {:.0f} {} with {} need about {} of memory ({:.0f} bytes a cell: {:.0f} for its state in a "
-                    "result, {:.0f} to compute); {} may be used",
-                    experiment.source, need.cells, need.cells == 1 ? "cell" : "cells",
-                    counted(experiment.chemicals.size(), "chemical"), readable_bytes(bytes), bytes / need.cells,
-                    need.states() / need.cells, work / need.cells, readable_bytes(available)));
+    const double cells = need.states() + work;
+    const double compiler = worked == Worked::by_reference ? 0 : compiler_bytes;
+    if (cells + compiler <= available) return;
+    const std::string beside =
+        compiler == 0 ? "" : fmt::format(", and {} for the OpenCL driver's compiler", readable_bytes(compiler));
+    throw Error(fmt::format(
+        "{}: {:.0f} {} with {} need about {} of memory ({:.0f} bytes a cell: {:.0f} for its state in a "
+        "result, {:.0f} to compute{}); {} may be used",
+        experiment.source, need.cells, need.cells == 1 ? "cell" : "cells",
+        counted(experiment.chemicals.size(), "chemical"), readable_bytes(cells + compiler), cells / need.cells,
+        need.states() / need.cells, work / need.cells, beside, readable_bytes(available)));
 }
 
 std::string why_not_on_device(const Footprint& footprint, double available) {

@@ -17,6 +17,7 @@
 #include "core/allowance.hpp"
 #include "core/error.hpp"
 #include "core/prepattern.hpp"
+#include "io/locked.hpp"
 
 #include <fmt/format.h>
 
@@ -253,6 +254,7 @@ int run_experiment(const RunOptions& options) {
     const Snapshot& start = prepared.resumed ? *prepared.resumed : initial;
     if (!trusted(options, prepared, machine, start)) return failed_check;
     prepare_folder(options.folder());
+    const FolderLock lock(options.folder());
     prepare_json(options.json);
     tune_machine(options, prepared, start, machine);
     const std::unique_ptr<Tissue> tissue = machine.backend->make_tissue(prepared.experiment, initial);

@@ -110,6 +110,20 @@ std::optional<double> processors_of(const fs::path& folder, bool second) {
     return quota / period;
 }
 
+struct Taken {  // bytes of this process
+    double space = 0;
+    double resident = 0;
+    double data = 0;
+};
+
+Taken taken_by_now() {
+    Taken taken;
+    double shared = 0, text = 0, libraries = 0;
+    std::ifstream("/proc/self/statm") >> taken.space >> taken.resident >> shared >> text >> libraries >> taken.data;
+    const auto page = static_cast<double>(sysconf(_SC_PAGESIZE));
+    return {page * taken.space, page * taken.resident, page * taken.data};
+}
+
 std::vector<bool> allowed_processors() {
     constexpr std::size_t most = 1 << 16;
     for (std::size_t count = CPU_SETSIZE; count <= most; count *= 2) {
@@ -133,14 +147,26 @@ std::optional<double> group_memory(const fs::path& root) {
 
 std::optional<double> group_processors(const fs::path& root) { return least(root, "cpu", processors_of); }
 
+std::optional<ProcessLimit> process_limit() {
+    const Taken taken = taken_by_now();
+    std::optional<ProcessLimit> tightest;
+    const auto look = [&](auto resource, double size, const char* option) {
+        rlimit limit{};
+        if (getrlimit(resource, &limit) != 0 || limit.rlim_cur == RLIM_INFINITY) return;
+        const ProcessLimit found{static_cast<double>(limit.rlim_cur), size, option};
+        if (!tightest || found.left() < tightest->left()) tightest = found;
+    };
+    look(RLIMIT_AS, taken.space, "ulimit -v");
+    look(RLIMIT_DATA, taken.data, "ulimit -d");
+    return tightest;
+}
+
 double usable_memory() {
     double bytes = static_cast<double>(sysconf(_SC_PHYS_PAGES)) * static_cast<double>(sysconf(_SC_PAGESIZE));
     if (const auto limit = group_memory()) bytes = std::min(bytes, *limit);
-    rlimit space{};
-    if (getrlimit(RLIMIT_AS, &space) == 0 && space.rlim_cur != RLIM_INFINITY) {
-        bytes = std::min(bytes, static_cast<double>(space.rlim_cur));
-    }
-    return bytes;
+    bytes -= taken_by_now().resident;
+    if (const auto limit = process_limit()) bytes = std::min(bytes, limit->left());
+    return std::max(bytes, 0.0);
 }
 
 std::size_t usable_processors() {

@@ -81,4 +81,15 @@ PrivateFolder::~PrivateFolder() {
     if (lock_ >= 0) close(lock_);
 }
 
+FolderLock::FolderLock(const fs::path& folder) : file_(open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC)) {
+    if (file_ < 0 || flock(file_, LOCK_EX | LOCK_NB) == 0 || errno != EWOULDBLOCK) return;
+    close(file_);
+    throw Error(fmt::format("another run writes into the folder {} at this moment; give this one its own with --out",
+                            folder.string()));
+}
+
+FolderLock::~FolderLock() {
+    if (file_ >= 0) close(file_);
+}
+
 }  // namespace pelage

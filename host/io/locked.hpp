@@ -32,4 +32,17 @@ private:
     int owner_;  // a process: a copy of it that forked must not remove the folder
 };
 
+// While one lives, no other process can have one for the same folder. Where the file system knows no locks, everybody
+// can.
+class FolderLock {
+public:
+    explicit FolderLock(const std::filesystem::path& folder);  // throws Error where another process has it
+    ~FolderLock();
+    FolderLock(const FolderLock&) = delete;
+    FolderLock& operator=(const FolderLock&) = delete;
+
+private:
+    int file_ = -1;
+};
+
 }  // namespace pelage

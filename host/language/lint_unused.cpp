@@ -61,9 +61,19 @@ private:
 };
 
 bool equal(const Colormap& one, const Colormap& other) {
-    return one.name == other.name &&
-           std::ranges::equal(one.stops, other.stops,
-                              [](const ColourStop& a, const ColourStop& b) { return a.at == b.at && a.rgb == b.rgb; });
+    const auto same = [](const ColourStop& a, const ColourStop& b) {
+        const auto& [at, rgb] = a;
+        return at == b.at && rgb == b.rgb;
+    };
+    const auto& [name, stops] = one;
+    return name == other.name && std::ranges::equal(stops, other.stops, same);
+}
+
+// A member that is added one day makes this line wrong, and so cannot be forgotten.
+bool equal(const Output& one, const Output& other) {
+    const auto& [chemical, colormap, range, own_range, drawing, strength] = one;
+    return chemical == other.chemical && equal(colormap, other.colormap) && range == other.range &&
+           own_range == other.own_range && drawing == other.drawing && strength == other.strength;
 }
 
 }  // namespace
@@ -118,9 +128,7 @@ void find_equal_outputs(const Sheet& sheet, Reporter& report) {
     const std::vector<Output>& outputs = sheet.experiment.outputs;
     for (std::size_t i = 1; i < sheet.outline.outputs.size(); ++i) {
         for (std::size_t k = 0; k < i; ++k) {
-            const bool same = outputs[i].chemical == outputs[k].chemical && outputs[i].range == outputs[k].range &&
-                              equal(outputs[i].colormap, outputs[k].colormap);
-            if (!same) continue;
+            if (!equal(outputs[i], outputs[k])) continue;
             report(sheet.place(sheet.outline.outputs[i]),
                    fmt::format("line {} draws the same picture", sheet.outline.outputs[k]));
             break;

@@ -4,11 +4,14 @@
 #include "core/allowance.hpp"
 #include "core/subnormal.hpp"
 #include "opencl/cl_error.hpp"
+#include "opencl/kept_handlers.hpp"
 #include "opencl/pocl.hpp"
+#include "opencl/room.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <atomic>
 #include <cctype>
 #include <charconv>
 #include <cstdlib>
@@ -16,6 +19,8 @@
 namespace pelage {
 
 namespace {
+
+std::atomic<bool> started{false};
 
 std::string lower(std::string text) {
     std::transform(text.begin(), text.end(), text.begin(),
@@ -138,8 +143,7 @@ std::vector<cl::Device> devices_of(const cl::Platform& platform) {
 }
 
 std::string listing(const std::vector<DeviceInfo>& devices) {
-    if (devices.empty() && !pocl_trouble().empty()) return "no OpenCL device is there: " + pocl_trouble();
-    if (devices.empty()) return "no OpenCL device is there; install a driver, such as pocl-opencl-icd";
+    if (devices.empty()) return why_no_devices();
     std::string text = "devices here:";
     for (const DeviceInfo& device : devices) {
         text += fmt::format("\n  {}: {} ({}, {}){}{}", device.index, device.name, device.type, device.platform,
@@ -187,6 +191,16 @@ std::size_t by_index(const std::vector<DeviceInfo>& devices, std::size_t index) 
 
 }  // namespace
 
+std::string why_no_devices() {
+    if (const std::string reason = drivers_started() ? "" : why_no_room(); !reason.empty()) {
+        return "no OpenCL device can be used: " + reason;
+    }
+    if (!pocl_trouble().empty()) return "no OpenCL device is there: " + pocl_trouble();
+    return "no OpenCL device is there; install a driver, such as pocl-opencl-icd";
+}
+
+bool drivers_started() { return started; }
+
 bool DeviceInfo::software_rasteriser() const {
     const std::string text = lower(name + " " + platform);
     return text.find("llvmpipe") != std::string::npos || text.find("softpipe") != std::string::npos ||
@@ -205,6 +219,10 @@ std::size_t DeviceInfo::running_units() const {
 std::vector<DeviceInfo> list_devices() {
     const SubnormalsAreZero scope;
     prepare_pocl();
+    if (!drivers_started() && !why_no_room().empty()) return {};
+    if (process_limit()) be_sparing();
+    const KeptHandlers handlers;
+    started = true;
     std::vector<DeviceInfo> devices;
     std::vector<DeviceInfo> broken;  // last, so that they move nobody else's index
     for (const cl::Platform& platform : list_platforms()) {

@@ -47,7 +47,14 @@ struct DeviceInfo {
 // All devices of all platforms, in the loader's order. A device that fails while being queried is listed with the
 // reason in `unusable`; so is, at the end and by the name "unknown", a platform that fails. Throws Error when the
 // loader cannot even list platforms; none at all is no error.
+// Drivers that would not fit into this process are not even loaded: none is listed then.
 std::vector<DeviceInfo> list_devices();
+
+// Why list_devices() found none, in one sentence.
+std::string why_no_devices();
+
+// Whether this process has loaded drivers, by list_devices().
+bool drivers_started();
 
 // The place in `devices` of the one that `wanted` names: an index, a type (gpu, cpu, accelerator) or a part of the
 // name, or else of its platform's name or version, in any case. Without `wanted`, and among those that a type or name

@@ -3,6 +3,7 @@
 
 #include "opencl/cache.hpp"
 #include "opencl/cl_error.hpp"
+#include "opencl/kept_handlers.hpp"
 #include "opencl/kernel_sources.hpp"
 #include "opencl/pocl.hpp"
 #include "opencl/pocl_programs.hpp"
@@ -13,6 +14,7 @@
 
 #include <cstdlib>
 #include <filesystem>
+#include <new>
 #include <optional>
 #include <set>
 #include <sstream>
@@ -52,10 +54,18 @@ std::string keep_source(const std::string& source) {
         session.info().name, cl_error_name(error.err()), session.info().driver, options, keep_source(source), log));
 }
 
+// A compiler that ran out of memory may have left its locks behind: what a process does where `new` fails comes before
+// any other call of the driver.
+void told_of_missing_memory() {
+    if (const std::new_handler handler = std::get_new_handler()) handler();
+}
+
 // Not cl::Program::build(), which asks for the log even of a program that was built.
 void build(const Session& session, const cl::Program& program, const std::string& options) {
+    const KeptHandlers handlers;
     const cl_device_id device = session.device()();
     const cl_int failure = clBuildProgram(program(), 1, &device, options.c_str(), nullptr, nullptr);
+    if (failure == CL_OUT_OF_HOST_MEMORY) told_of_missing_memory();
     if (failure != CL_SUCCESS) throw cl::Error(failure, "clBuildProgram");
 }
 

@@ -15,12 +15,11 @@ using test::Child;
 using test::Folder;
 using test::Outcome;
 using test::read_all;
+using test::shell;
 
 namespace {
 
 const std::string program = PELAGE_COMMAND;
-
-Outcome shell(const std::string& line) { return Child({"sh", "-c", line}).wait(); }
 
 }  // namespace
 

@@ -116,6 +116,10 @@ Outcome command(std::vector<std::string> words, const Surroundings& surroundings
     return Child(words, surroundings).wait();
 }
 
+Outcome shell(const std::string& line, const Surroundings& surroundings) {
+    return Child({"sh", "-c", line}, surroundings).wait();
+}
+
 pid_t worker_of(pid_t parent) {
     for (int attempt = 0; attempt < 1000; ++attempt) {
         for (const auto& entry : std::filesystem::directory_iterator("/proc")) {

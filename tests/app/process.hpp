@@ -68,6 +68,9 @@ private:
 // pelage WORDS..., to its end.
 Outcome command(std::vector<std::string> words, const Surroundings& = {});
 
+// A line of the shell, to its end.
+Outcome shell(const std::string& line, const Surroundings& = {});
+
 // The child process with --worker of a `pelage` that has started, once it is there; 0: none came.
 pid_t worker_of(pid_t parent);
 

@@ -19,12 +19,11 @@ using test::Child;
 using test::Folder;
 using test::Outcome;
 using test::read_all;
+using test::shell;
 
 namespace {
 
 const std::string program = PELAGE_COMMAND;
-
-Outcome shell(const std::string& line) { return Child({"sh", "-c", line}).wait(); }
 
 // A user whose home, caches and temporary files lie in a folder; the last two are not set by variables of ours.
 struct User {

@@ -193,6 +193,8 @@ TEST_CASE("what is described and not needed") {
     CHECK(after_sound("colormap slot 1 use rgb 0 0 0\ncolormap slot 2 use rgb 9 9 9\n") == "9:1 unused-colour");
     CHECK(after_sound("colormap select inferno\noutput U colormap gray\n") == "9:1 unused-colour");
     CHECK(after_sound("output U\noutput U colormap heat\n") == "10:1 equal-outputs");
+    CHECK(after_sound("output U\noutput U height\noutput U normal 1\noutput U range each\n").empty());
+    CHECK(after_sound("output U range each\noutput U range 0 1\n").empty());
 }
 
 TEST_CASE("places count characters, behind a byte order mark and in lines that end as on Windows too") {
