@@ -112,42 +112,43 @@ void check_expand(Cursor& cursor, const Expand& expand, const Options& given, co
     }
 }
 
-Action parse_expand(Script&, Cursor& cursor, const Token& at) {
-    static constexpr std::array<std::string_view, 6> words{"columns", "rows", "first", "distribution", "weight", "by"};
-    static constexpr std::array<std::string_view, 2> order{"columns", "rows"};
+constexpr std::array<std::string_view, 6> expand_words{"columns", "rows", "first", "distribution", "weight", "by"};
+
+Distribution parse_distribution(Cursor& cursor) {
     static constexpr std::array<std::string_view, 4> names{"uniform", "shuffled", "normal", "triangular"};
     static constexpr std::array distributions{Distribution::uniform, Distribution::shuffled, Distribution::normal,
                                               Distribution::triangular};
-    static constexpr std::array<std::string_view, 3> ways{"nearest", "bilinear", "bicubic"};
+    return distributions[cursor.choose(names)];
+}
+
+Interpolation parse_interpolation(Cursor& cursor) {
+    static constexpr std::array<std::string_view, 3> names{"nearest", "bilinear", "bicubic"};
     static constexpr std::array interpolations{Interpolation::nearest, Interpolation::bilinear, Interpolation::bicubic};
+    return interpolations[cursor.choose(names)];
+}
+
+// What comes after that one of expand_words.
+void parse_expand_option(Cursor& cursor, std::size_t option, Expand& expand) {
+    static constexpr std::array<std::string_view, 2> order{"columns", "rows"};
     constexpr std::uint64_t most = 1000;  // at a time, as validate() has it
+    if (option == 0) expand.columns = cursor.integer("the number of columns", 0, most);
+    if (option == 1) expand.rows = cursor.integer("the number of rows", 0, most);
+    if (option == 2) expand.rows_first = cursor.choose(order) == 1;
+    if (option == 3) expand.distribution = parse_distribution(cursor);
+    if (option == 4) parse_weight(cursor, expand);
+    if (option == 5) expand.interpolation = parse_interpolation(cursor);
+}
+
+Action parse_expand(Script&, Cursor& cursor, const Token& at) {
     Expand expand;
-    Options options(words);
+    Options options(expand_words);
     const Token* weight = &at;
     while (true) {
         const Token& token = cursor.peek();
         const auto option = options.next(cursor);
         if (!option) break;
-        switch (*option) {
-            case 0:
-                expand.columns = cursor.integer("the number of columns", 0, most);
-                break;
-            case 1:
-                expand.rows = cursor.integer("the number of rows", 0, most);
-                break;
-            case 2:
-                expand.rows_first = cursor.choose(order) == 1;
-                break;
-            case 3:
-                expand.distribution = distributions[cursor.choose(names)];
-                break;
-            case 4:
-                weight = &token;
-                parse_weight(cursor, expand);
-                break;
-            default:
-                expand.interpolation = interpolations[cursor.choose(ways)];
-        }
+        if (expand_words[*option] == "weight") weight = &token;
+        parse_expand_option(cursor, *option, expand);
     }
     check_expand(cursor, expand, options, at, *weight);
     return expand;
