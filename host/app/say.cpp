@@ -35,8 +35,10 @@ void prepare_printing() {
     std::signal(SIGXFSZ, SIG_IGN);
 }
 
+void send() { note(stdout, std::fflush(stdout) == 0); }
+
 bool printed() {
-    note(stdout, std::fflush(stdout) == 0);
+    send();
     return failure == 0 || failure == EPIPE;
 }
 

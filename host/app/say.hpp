@@ -22,6 +22,9 @@ void say(fmt::format_string<Words...> format, Words&&... words) {
     put(stdout, fmt::format(format, std::forward<Words>(words)...));
 }
 
+// What was said on standard output leaves now, before what is said elsewhere.
+void send();
+
 // To be called first of all. Standard files that are closed are opened on nothing, so that no result gets their number
 // and messages in it; and what is written to a closed pipe, or past the limit on file sizes, is an error of that call.
 void prepare_printing();

@@ -1,6 +1,7 @@
 // See trial_worker.hpp.
 #include "app/trial_worker.hpp"
 
+#include "app/last_will.hpp"
 #include "app/say.hpp"
 
 #include "core/error.hpp"
@@ -10,8 +11,6 @@
 
 #include <algorithm>
 #include <chrono>
-#include <cmath>
-#include <cstdio>
 #include <iostream>
 
 #include <poll.h>
@@ -41,26 +40,70 @@ tune::Trial trial_in(const std::string& answer, const tune::Candidate& candidate
     return trial;
 }
 
+// The time that a candidate has left.
+class Patience {
+public:
+    Patience(const Worker& worker, double running, double whole)
+        : worker_(worker), running_(running), whole_(whole), computed_(worker.processor_seconds()) {}
+
+    void is_running() {
+        started_ = true;
+        compiled_ = since(start_);
+    }
+
+    double left() const {
+        constexpr double longest_compilation = 60;
+        const double compiled =
+            started_ ? compiled_ : std::min(worker_.processor_seconds() - computed_, longest_compilation);
+        const double end = running_ + compiled;
+        return std::min(end, whole_) - since(start_);
+    }
+
+private:
+    using Clock = std::chrono::steady_clock;
+
+    static double since(Clock::time_point start) { return std::chrono::duration<double>(Clock::now() - start).count(); }
+
+    const Worker& worker_;
+    double running_;
+    double whole_;
+    double computed_;
+    Clock::time_point start_ = Clock::now();
+    bool started_ = false;
+    double compiled_ = 0;  // seconds until then
+};
+
+tune::Trial crash_of(const tune::Candidate& candidate, const std::string& how) {
+    tune::Trial trial;
+    trial.candidate = candidate;
+    trial.verdict = tune::Verdict::crashed;
+    trial.message = "the process that tried it ended with " + how;
+    return trial;
+}
+
+constexpr const char* is_running = "running";  // an answer before the answer
+
 }  // namespace
 
-std::optional<tune::Trial> TrialWorker::try_out(const tune::Candidate& candidate, double seconds) {
-    using Clock = std::chrono::steady_clock;
-    const auto end = Clock::now() + std::chrono::duration_cast<Clock::duration>(
-                                        std::chrono::duration<double>(std::clamp(seconds, 0.0, 86'400.0)));
+std::optional<tune::Trial> TrialWorker::try_out(const tune::Candidate& candidate, double running, double whole) {
+    constexpr double often = 0.1;  // what was compiled meanwhile gives more time
     if (!worker_) worker_ = std::make_unique<Worker>(arguments_);
+    Patience patience(*worker_, running, whole);
     worker_->ask(dumped(to_json(candidate)));
-    while (Clock::now() < end) {
-        const auto left = std::chrono::duration_cast<std::chrono::milliseconds>(end - Clock::now()).count();
+    for (double left = patience.left(); left > 0; left = patience.left()) {
         pollfd waiting{worker_->output(), POLLIN, 0};
-        if (poll(&waiting, 1, static_cast<int>(std::max<std::int64_t>(1, left))) <= 0) continue;
-        if (const auto answer = worker_->take()) return trial_in(*answer, candidate);
-        if (!worker_->ended()) continue;
-        tune::Trial trial;
-        trial.candidate = candidate;
-        trial.verdict = tune::Verdict::crashed;
-        trial.message = "the process that tried it ended with " + worker_->end();
-        worker_.reset();
-        return trial;
+        if (poll(&waiting, 1, 1 + static_cast<int>(1000 * std::min(left, often))) <= 0) continue;
+        const auto answer = worker_->take();
+        if (answer == is_running) {
+            patience.is_running();
+            worker_->is_busy();
+        } else if (answer) {
+            return trial_in(*answer, candidate);
+        } else if (worker_->ended()) {
+            const tune::Trial trial = crash_of(candidate, worker_->end());
+            worker_.reset();
+            return trial;
+        }
     }
     worker_.reset();
     return {};
@@ -81,12 +124,17 @@ std::vector<std::string> worker_arguments(const TuningJob& job) {
 }
 
 int answer_candidates(const TuningJob& job) {
+    end_with_parent();
+    const auto answer = [](const std::string& line) {
+        say("\n{}{}\n", answer_mark, line);
+        send();
+    };
     tune::TestStand stand(tune::make_problem(job.experiment, job.first, job.last, tune::telling_cells(job.device.type)),
                           job.options);
     for (std::string line; std::getline(std::cin, line);) {
-        const tune::Trial trial = stand.try_out(tune::candidate_from_json(ordered_json::parse(line)));
-        say("\n{}{}\n", answer_mark, dumped(to_json(trial)));
-        std::fflush(stdout);
+        const tune::Trial trial =
+            stand.try_out(tune::candidate_from_json(ordered_json::parse(line)), [&] { answer(is_running); });
+        answer(dumped(to_json(trial)));
     }
     return 0;
 }

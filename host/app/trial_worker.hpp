@@ -30,9 +30,10 @@ public:
     // Of this same program; see worker_arguments.
     explicit TrialWorker(std::vector<std::string> arguments) : arguments_(std::move(arguments)) {}
 
-    // Nothing when no answer came within `seconds`: the child has been ended then. A child that ends by itself makes
-    // the trial Verdict::crashed. The next call starts a new one.
-    std::optional<tune::Trial> try_out(const tune::Candidate&, double seconds);
+    // Nothing when no answer came within `whole` seconds, or within `running` of them not counting compilation: the
+    // child has been ended then. What a child computes until its candidate has run once counts as compilation, up to a
+    // minute. A child that ends by itself makes the trial Verdict::crashed. The next call starts a new one.
+    std::optional<tune::Trial> try_out(const tune::Candidate&, double running, double whole = 86'400);
 
 private:
     std::vector<std::string> arguments_;

@@ -14,7 +14,6 @@
 #include "opencl/cache.hpp"
 
 #include <fmt/format.h>
-#include <unistd.h>
 #include <CLI/Config.hpp>
 #include <CLI/Formatter.hpp>
 #include <nlohmann/json.hpp>
@@ -54,20 +53,11 @@ TuningJob job_of(const TuneOptions& options) {
     return {options.run.file, std::move(prepared.experiment), *machine.opencl, machine.info, options.from, last};
 }
 
-void show(std::size_t place, std::size_t all, const tune::Candidate& candidate) {
-    say(stderr, "\r\x1b[K[{}/{}] {}", place, all, candidate.text());
-    std::fflush(stderr);
-}
-
 Tuning carried_out(const TuningJob& job, const TuneOptions& options) {
-    const bool shown = !options.run.quiet && isatty(STDERR_FILENO) != 0;
-    const auto silent = [](std::size_t, std::size_t, const tune::Candidate&) {};
     tune::Budget budget = options.quick ? tune::quick_budget : tune::Budget{};
     budget.candidate = options.limit;
     const tune::Effort effort = options.quick ? tune::Effort::quick : tune::Effort::exhaustive;
-    Tuning tuning = tuned(job, effort, budget, shown ? ShowCandidate(show) : ShowCandidate(silent));
-    if (shown) say(stderr, "\r\x1b[K");
-    return tuning;
+    return tuned(job, effort, budget, options.run.quiet ? Shown::nothing : Shown::on_terminals);
 }
 
 int tune_experiment(TuneOptions options) {
@@ -103,7 +93,7 @@ void add_options(CLI::App& command, TuneOptions& options) {
             },
             "float or double. Default: float")
         ->type_name("float|double")
-        ->check(CLI::IsMember({"float", "double"}).description(""));
+        ->check(one_of({"float", "double"}));
     command.add_option("--seed", options.run.seed, "Seed of all random numbers, instead of the experiment's")
         ->type_name("N")
         ->transform(whole_number(std::numeric_limits<std::int64_t>::min(), std::numeric_limits<std::int64_t>::max()));
@@ -111,7 +101,7 @@ void add_options(CLI::App& command, TuneOptions& options) {
     command.add_flag("--quick", options.quick, "The short search that comes before a long run: 5 seconds");
     command.add_option("--limit", options.limit, "What one candidate may take (default: 20)")
         ->type_name("SECONDS")
-        ->check(CLI::Range(0.1, 86'400.0).description(""));
+        ->check(seconds(0.1, 86'400));
     command.add_flag("--forget", options.forget, "Try all anew, what was struck out too");
     command.add_flag("--no-cache", options.run.no_cache, "Remember nothing");
     command.add_option("--json", options.json, "Write all trials to this file")->type_name("FILE");

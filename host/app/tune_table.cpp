@@ -4,11 +4,14 @@
 #include "app/progress.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <array>
 #include <cstdlib>
+#include <string>
 #include <thread>
+#include <utility>
 #include <vector>
 
 namespace pelage::app {
@@ -57,13 +60,23 @@ std::string aligned(const std::vector<Line>& lines) {
     return text;
 }
 
+// Each once, with all that it befell.
 std::string reasons(const std::vector<Trial>& trials) {
-    std::string text;
+    std::vector<std::pair<std::string, std::vector<std::string>>> causes;
     for (const Trial& trial : trials) {
         if (trial.message.empty()) continue;
-        text += fmt::format("{}: {}: {}\n", trial.candidate.text(), word(trial.verdict), trial.message);
+        const std::string cause = fmt::format("{}: {}", word(trial.verdict), trial.message);
+        auto found = std::ranges::find(causes, cause, [](const auto& one) { return one.first; });
+        if (found == causes.end()) found = causes.insert(causes.end(), {cause, {}});
+        found->second.push_back(trial.candidate.text());
     }
-    return text.empty() ? "" : "\n" + text;
+    std::string text;
+    for (const auto& [cause, names] : causes) {
+        text += names.size() == 1
+                    ? fmt::format("\n{}: {}\n", names.front(), cause)
+                    : fmt::format("\n{} candidates {}\n  {}\n", names.size(), cause, fmt::join(names, "\n  "));
+    }
+    return text;
 }
 
 // What else wants the processors; empty: not known, or nothing to speak of.
@@ -74,22 +87,30 @@ std::string load() {
                        std::max(1u, std::thread::hardware_concurrency()));
 }
 
+std::string no_time(const Tuning& tuning) {
+    return fmt::format(
+        "There was no time even for the defaults in {:.1f} s, so nothing is known and runs take these.\n{}"
+        "Try again when the machine is less busy, or without --quick, which waits as long as it takes.\n",
+        tuning.seconds, load());
+}
+
 std::string conclusion(const Tuning& tuning) {
     const tune::Record& record = tuning.record;
     const Candidate best = record.best();
-    if (record.find({}) == nullptr) {
-        return fmt::format(
-            "There was no time even for the defaults in {:.1f} s, so nothing is known and runs take these.\n{}"
-            "Try again when the machine is less busy, or without --quick, which waits as long as it takes.\n",
-            tuning.seconds, load());
-    }
+    const std::string anew =
+        tuning.not_kept.empty()
+            ? ""
+            : fmt::format("A later search begins anew, because nothing could be kept: {}.\n", tuning.not_kept);
+    if (record.find({}) == nullptr) return no_time(tuning) + anew;
     const std::string memory = tuning.remembered ? "Remembered from an earlier search; --forget tries all anew. " : "";
     if (best == Candidate{}) {
-        return fmt::format("{}Nothing is faster than the defaults by more than {:.0f} %: runs take these.\n", memory,
-                           100 * tune::least_gain);
+        return fmt::format("{}Nothing is faster than the defaults by more than {:.0f} %: runs take these.\n{}", memory,
+                           100 * tune::least_gain, anew);
     }
     const std::string gain =
         record.gain() > 0 ? fmt::format(", {:.0f} % faster than the defaults", 100 * record.gain()) : "";
+    if (!anew.empty())
+        return fmt::format("The fastest is: {}{}. Runs will not know of it.\n{}", best.text(), gain, anew);
     return fmt::format("{}Runs of this kind and size will take: {}{}.\n", memory, best.text(), gain);
 }
 

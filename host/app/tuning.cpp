@@ -8,6 +8,7 @@
 #include "opencl/cache.hpp"
 
 #include <fmt/format.h>
+#include <unistd.h>
 
 #include <chrono>
 #include <cstdio>
@@ -31,6 +32,12 @@ constexpr double remember_from_seconds = 2;
 
 std::filesystem::path folder_of(const TuningJob& job) {
     return job.options.use_cache ? cache_folder() : std::filesystem::path();
+}
+
+// Why a record is not kept; empty: it is.
+std::string kept_nowhere(const TuningJob& job, const Record& record) {
+    if (!job.options.use_cache) return "--no-cache";
+    return store_record(folder_of(job), record);
 }
 
 double since(std::chrono::steady_clock::time_point start) {
@@ -80,10 +87,36 @@ Candidate proven(const TuningJob& job, const RunOptions& options, const Snapshot
         trial.updates_per_second = 0;
         trial.message = fault;
         record.put(trial);
-        store_record(folder_of(job), record);
+        (void)store_record(folder_of(job), record);
     }
     return {};
 }
+
+class SearchProgress {
+public:
+    SearchProgress(Shown shown, const tune::Budget& budget)
+        : line_(shown != Shown::nothing && isatty(STDERR_FILENO) != 0),
+          sentence_(shown == Shown::everywhere && !line_),
+          seconds_(budget.whole) {}
+    ~SearchProgress() {
+        if (drawn_) put(stderr, "\r\x1b[K");
+    }
+    SearchProgress(const SearchProgress&) = delete;
+    SearchProgress& operator=(const SearchProgress&) = delete;
+
+    void show(std::size_t place, std::size_t all, const Candidate& candidate) {
+        if (line_) say(stderr, "\r\x1b[Ktuning: [{}/{}] {}", place, all, candidate.text());
+        if (std::exchange(sentence_, false))
+            say(stderr, "tuning: a faster kernel is looked for, for {:g} seconds at most\n", seconds_);
+        drawn_ = line_;
+    }
+
+private:
+    bool line_;
+    bool sentence_;
+    double seconds_;
+    bool drawn_ = false;
+};
 
 }  // namespace
 
@@ -91,19 +124,26 @@ tune::Key key_of(const TuningJob& job) {
     return tune::make_key(job.device, own_checksum(), job.options.precision, job.options.fast, job.experiment);
 }
 
-Tuning tuned(const TuningJob& job, tune::Effort effort, const tune::Budget& budget, const ShowCandidate& show) {
+Tuning tuned(const TuningJob& job, tune::Effort effort, const tune::Budget& budget, Shown shown) {
     const auto start = std::chrono::steady_clock::now();
     const std::filesystem::path folder = folder_of(job);
     Tuning tuning;
     tuning.record.key = key_of(job);
     if (auto known = load_record(folder, tuning.record.key)) tuning.record = std::move(*known);
-    tuning.remembered = tuning.record.complete && (tuning.record.exhaustive || effort == tune::Effort::quick);
+    const bool quick = effort == tune::Effort::quick;
+    tuning.remembered = tuning.record.complete && (tuning.record.exhaustive || quick) &&
+                        (quick || !has_more_patience(budget, tuning.record));
     if (tuning.remembered) return tuning;
     TrialWorker worker(worker_arguments(job));
     tune::Hands hands;
-    hands.try_out = [&](const Candidate& candidate, double seconds) { return worker.try_out(candidate, seconds); };
-    hands.keep = [&](const Record& record) { store_record(folder, record); };
-    hands.announce = show;
+    hands.try_out = [&](const Candidate& candidate, double running, double whole) {
+        return worker.try_out(candidate, running, whole);
+    };
+    hands.keep = [&](const Record& record) { tuning.not_kept = kept_nowhere(job, record); };
+    SearchProgress progress(shown, budget);
+    hands.announce = [&](std::size_t place, std::size_t all, const Candidate& candidate) {
+        progress.show(place, all, candidate);
+    };
     hands.clock = [&] { return since(start); };
     search(tuning.record, candidates(job.device, job.options.precision, effort), effort, budget, hands);
     tuning.seconds = since(start);
@@ -113,14 +153,13 @@ Tuning tuned(const TuningJob& job, tune::Effort effort, const tune::Budget& budg
 namespace {
 
 // Of a run that will take so many seconds on a usual device: searched for, or at least remembered.
-std::optional<Tuning> found(const TuningJob& job, double seconds) {
+std::optional<Tuning> found(const TuningJob& job, double seconds, bool quiet) {
     if (seconds >= search_from_seconds && std::filesystem::is_regular_file(job.file)) {
-        const auto silent = [](std::size_t, std::size_t, const Candidate&) {};
-        return tuned(job, tune::Effort::quick, tune::quick_budget, silent);
+        return tuned(job, tune::Effort::quick, tune::quick_budget, quiet ? Shown::nothing : Shown::everywhere);
     }
     auto known = load_record(folder_of(job), key_of(job));
     if (!known || !known->complete) return {};
-    return Tuning{std::move(*known), true, 0};
+    return Tuning{std::move(*known), true, 0, ""};
 }
 
 }  // namespace
@@ -132,7 +171,7 @@ void tune_machine(const RunOptions& options, const Prepared& prepared, const Sna
     if (options.no_tune || seconds < remember_from_seconds || machine.info.watches_memory()) return;
     try {
         const TuningJob job = job_of(options, prepared, start, machine);
-        std::optional<Tuning> tuning = found(job, seconds);
+        std::optional<Tuning> tuning = found(job, seconds, options.quiet);
         if (!tuning) return;
         const Candidate chosen = proven(job, options, start, tuning->record);
         if (!options.quiet) say(stderr, "{}\n", told(*tuning, chosen));

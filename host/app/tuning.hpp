@@ -8,24 +8,25 @@
 #include "core/snapshot.hpp"
 #include "tune/search.hpp"
 
-#include <functional>
 #include <string>
 
 namespace pelage::app {
 
-using ShowCandidate = std::function<void(std::size_t place, std::size_t all, const tune::Candidate&)>;
+// What a search tells on standard error: each candidate in turn on a terminal; in a log nothing, or one sentence.
+enum class Shown { nothing, on_terminals, everywhere };
 
 struct Tuning {
     tune::Record record;
     bool remembered = false;  // nothing had to be tried
     double seconds = 0;       // that the search took
+    std::string not_kept;     // why nothing of it is remembered; empty: it is
 };
 
 tune::Key key_of(const TuningJob&);
 
 // A complete record (an exhaustive one, when that is the effort) is taken as it is; else the search goes on where the
 // record ends. It is kept on disk after each trial, unless the job's options say that nothing is.
-Tuning tuned(const TuningJob&, tune::Effort, const tune::Budget&, const ShowCandidate&);
+Tuning tuned(const TuningJob&, tune::Effort, const tune::Budget&, Shown);
 
 // Before a run on OpenCL: chooses how its lattice is carried out and makes the backend anew for it. Runs too short to
 // gain by it are left alone; so is everything with --no-tune. What is chosen passes the self-test too, or is struck

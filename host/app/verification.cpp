@@ -1,6 +1,7 @@
 // See verification.hpp.
 #include "app/verification.hpp"
 
+#include "app/last_will.hpp"
 #include "app/progress.hpp"
 #include "app/run_options.hpp"
 #include "app/say.hpp"
@@ -187,6 +188,7 @@ verify::DeviceReport verify_device(const DeviceInfo& device, const std::vector<C
 }
 
 int answer_checks(const VerifyOptions& options) {
+    end_with_parent();
     const std::vector<Check> checks = verify::all_checks(options.seed);
     verify::Place place(select_device(options.device), options.seed, options.full, options.small);
     for (std::string name; std::getline(std::cin, name);) {
@@ -195,7 +197,7 @@ int answer_checks(const VerifyOptions& options) {
         const Result result = verify::judge(*check, place, options.evidence);
         const auto replace = nlohmann::ordered_json::error_handler_t::replace;  // a driver may not speak UTF-8
         say("\n{}{}\n", answer_mark, to_json(result).dump(-1, ' ', false, replace));
-        std::fflush(stdout);
+        send();
     }
     return 0;
 }

@@ -6,10 +6,13 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <array>
 #include <cerrno>
 #include <csignal>
 #include <cstring>
+#include <fstream>
+#include <sstream>
 #include <string_view>
 #include <thread>
 #include <utility>
@@ -120,6 +123,19 @@ std::optional<std::string> Worker::take() {
         return line.substr(start + std::strlen(answer_mark));
     }
     return {};
+}
+
+// In /proc/PID/stat: "PID (NAME) STATE ...", the 14th and 15th word being ticks in the program and in the system.
+double Worker::processor_seconds() const {
+    std::ifstream file(fmt::format("/proc/{}/stat", child_));
+    std::string line;
+    std::getline(file, line);
+    std::istringstream words(line.substr(std::min(line.size(), line.rfind(')') + 1)));
+    std::string skipped;
+    for (int i = 0; i < 11; ++i) words >> skipped;
+    double program = 0, system = 0;
+    if (!(words >> program >> system)) return 0;
+    return (program + system) / static_cast<double>(sysconf(_SC_CLK_TCK));
 }
 
 std::string Worker::end() {

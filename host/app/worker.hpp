@@ -23,10 +23,12 @@ public:
     void ask(const std::string& line);  // the answer to the one before must have come
 
     int output() const { return output_; }  // file descriptor, to wait for
+    double processor_seconds() const;       // that the child has had
     std::chrono::steady_clock::time_point asked() const { return asked_; }
 
     // To be called when output() can be read: the answer, or nothing yet. Sets ended() when the child is no more.
     std::optional<std::string> take();
+    void is_busy() { waits_ = false; }  // that answer was not the last one to what was asked
     bool ended() const { return ended_; }
 
     // Kills the child and tells how it ended: "signal 11 (Segmentation fault)", "exit code 3".

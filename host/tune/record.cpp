@@ -121,15 +121,15 @@ std::optional<Record> load_record(const std::filesystem::path& folder, const Key
     }
 }
 
-bool store_record(const std::filesystem::path& folder, const Record& record) {
-    if (folder.empty()) return false;
+std::string store_record(const std::filesystem::path& folder, const Record& record) {
+    if (folder.empty()) return "there is no folder for it";
     try {
         std::error_code ignored;
         std::filesystem::create_directories(folder, ignored);
         write_file(record_file(folder, record.key), dumped(to_json(record), 2) + "\n");
-        return true;
-    } catch (const Error&) {
-        return false;
+        return {};
+    } catch (const Error& error) {
+        return error.what();
     }
 }
 

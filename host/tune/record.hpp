@@ -53,8 +53,8 @@ std::filesystem::path record_file(const std::filesystem::path& folder, const Key
 // A file that is missing, damaged or belongs to another key is simply not there.
 std::optional<Record> load_record(const std::filesystem::path& folder, const Key&);
 
-// The file appears whole or not at all. False when it could not be kept.
-bool store_record(const std::filesystem::path& folder, const Record&);
+// The file appears whole or not at all. Why it could not be kept; empty: it was.
+std::string store_record(const std::filesystem::path& folder, const Record&);
 
 void forget_record(const std::filesystem::path& folder, const Key&);
 

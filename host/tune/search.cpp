@@ -11,6 +11,10 @@ namespace {
 
 constexpr int rounds = 2;
 
+bool deserves_more(const Trial& trial, const Budget& budget) {
+    return trial.verdict == Verdict::hung && trial.limit < budget.candidate;
+}
+
 class Search {
 public:
     Search(Record& record, const Budget& budget, const Hands& hands)
@@ -18,7 +22,9 @@ public:
 
     void all(const std::vector<Candidate>& candidates) {
         for (std::size_t i = 0; i < candidates.size() && elapsed() < budget_.start; ++i) {
-            if (record_.find(candidates[i]) == nullptr) one(candidates[i], i + 1, candidates.size());
+            const Trial* known = record_.find(candidates[i]);
+            const bool again = known != nullptr && record_.exhaustive && deserves_more(*known, budget_);
+            if (known == nullptr || again) one(candidates[i], i + 1, candidates.size());
         }
     }
 
@@ -54,12 +60,13 @@ private:
     void one(const Candidate& candidate, std::size_t place, std::size_t all) {
         hands_.announce(place, all, candidate);
         const double left = budget_.whole - elapsed();
-        std::optional<Trial> trial = hands_.try_out(candidate, std::min(left, budget_.candidate));
-        if (!trial && left <= budget_.candidate) return;
+        std::optional<Trial> trial = hands_.try_out(candidate, budget_.candidate, left);
+        if (!trial && elapsed() >= budget_.whole) return;
         if (!trial) {
             trial.emplace();
             trial->candidate = candidate;
             trial->verdict = Verdict::hung;
+            trial->limit = budget_.candidate;
             trial->message = fmt::format("did not come to an end within {:g} {}", budget_.candidate,
                                          budget_.candidate == 1 ? "second" : "seconds");
         }
@@ -78,6 +85,10 @@ private:
 };
 
 }  // namespace
+
+bool has_more_patience(const Budget& budget, const Record& record) {
+    return std::ranges::any_of(record.trials, [&](const Trial& trial) { return deserves_more(trial, budget); });
+}
 
 void search(Record& record, const std::vector<Candidate>& candidates, Effort effort, const Budget& budget,
             const Hands& hands) {

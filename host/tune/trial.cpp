@@ -123,7 +123,8 @@ nlohmann::ordered_json to_json(const Trial& trial) {
             {"verdict", word(trial.verdict)},
             {"updates_per_second", trial.updates_per_second},
             {"how", trial.how},
-            {"message", trial.message}};
+            {"message", trial.message},
+            {"limit", trial.limit}};
 }
 
 Trial trial_from_json(const nlohmann::ordered_json& json) {
@@ -137,6 +138,7 @@ Trial trial_from_json(const nlohmann::ordered_json& json) {
         trial.updates_per_second = json.at("updates_per_second").get<double>();
         trial.how = json.at("how").get<std::string>();
         trial.message = json.at("message").get<std::string>();
+        trial.limit = json.value("limit", 0.0);
         return trial;
     } catch (const nlohmann::json::exception& error) {
         throw Error(fmt::format("this is no trial of a candidate: {}", error.what()));
@@ -154,9 +156,9 @@ Subject begin_on_device(const OpenclOptions& options, const Experiment& experime
 TestStand::TestStand(Problem problem, OpenclOptions options, Begin begin, double seconds)
     : problem_(std::move(problem)), options_(std::move(options)), begin_(std::move(begin)), seconds_(seconds) {}
 
-Trial TestStand::try_out(const Candidate& candidate) {
+Trial TestStand::try_out(const Candidate& candidate, const std::function<void()>& running) {
     try {
-        return judged(candidate);
+        return judged(candidate, running);
     } catch (const Error& error) {
         Trial trial;
         trial.candidate = candidate;
@@ -166,7 +168,7 @@ Trial TestStand::try_out(const Candidate& candidate) {
     }
 }
 
-Trial TestStand::judged(const Candidate& candidate) {
+Trial TestStand::judged(const Candidate& candidate, const std::function<void()>& running) {
     Trial trial;
     trial.candidate = candidate;
     const Stage& stage = problem_.verified;
@@ -179,7 +181,7 @@ Trial TestStand::judged(const Candidate& candidate) {
         trial.verdict = Verdict::unfit;
         trial.message = "carried out otherwise: " + trial.how;
     } else {
-        trial.updates_per_second = speed(candidate);
+        trial.updates_per_second = speed(candidate, running);
     }
     return trial;
 }
@@ -213,11 +215,12 @@ bool TestStand::settles(const Candidate& candidate) const {
     return candidate.fusion == Fusion::automatic && 2 * scalar * start.conc.size() * start.cells() > settled_bytes;
 }
 
-double TestStand::speed(const Candidate& candidate) {
+double TestStand::speed(const Candidate& candidate, const std::function<void()>& running) {
     const Stage& stage = problem_.timed;
     Track track(begin_(applied(candidate, options_), stage.experiment, stage.start), stage, problem_.end);
     const std::size_t depth = depth_of(candidate);
     track.run(1 + depth);
+    if (running) running();
     if (settles(candidate)) track.settle(depth);
     const double pass = std::max(track.run(depth).seconds, 1e-9);
     const auto passes = static_cast<std::uint64_t>(std::clamp(std::ceil(seconds_ / pass), 1.0, 1e5));

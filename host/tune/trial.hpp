@@ -31,6 +31,7 @@ struct Trial {
     double updates_per_second = 0;  // of cells; 0 unless good
     std::string how;                // in the tissue's own words
     std::string message;            // why it was struck out
+    double limit = 0;               // seconds that it had, where it hung
 };
 
 nlohmann::ordered_json to_json(const Trial&);
@@ -53,15 +54,16 @@ public:
 
     // Runs the candidate and the plain kernel from one state through full and partial passes and compares every value,
     // bit for bit; with options.fast within 1e-3. Only then are three stretches timed, of which the shortest counts.
-    // Never throws Error for what a candidate does.
-    Trial try_out(const Candidate&);
+    // Never throws Error for what a candidate does. `running` is told when all that the candidate needs is compiled and
+    // has run once.
+    Trial try_out(const Candidate&, const std::function<void()>& running = {});
 
 private:
-    Trial judged(const Candidate&);
+    Trial judged(const Candidate&, const std::function<void()>& running);
     std::string difference(const Candidate&, Tissue&);
     const Snapshot& expected_after(std::uint64_t iterations);
     bool settles(const Candidate&) const;
-    double speed(const Candidate&);
+    double speed(const Candidate&, const std::function<void()>& running);
 
     Problem problem_;
     OpenclOptions options_;

@@ -65,7 +65,7 @@ TEST_CASE("a record is found again as it was kept") {
     const Folder folder;
     const Record record = some_record();
 
-    REQUIRE(store_record(folder.path / "new", record));
+    REQUIRE(store_record(folder.path / "new", record).empty());
     const auto back = load_record(folder.path / "new", some_key());
 
     REQUIRE(back.has_value());
@@ -78,7 +78,7 @@ TEST_CASE("a record is found again as it was kept") {
 
 TEST_CASE("another driver, program, precision, size or set of rules has another record") {
     const Folder folder;
-    REQUIRE(store_record(folder.path, some_record()));
+    REQUIRE(store_record(folder.path, some_record()).empty());
     Key key = some_key();
 
     SECTION("device") { key.device = "Other"; }
@@ -96,7 +96,7 @@ TEST_CASE("a file under the right name that speaks of another key is not taken")
     const Folder folder;
     Record record = some_record();
     record.key.driver = std::string("9");
-    REQUIRE(store_record(folder.path, record));
+    REQUIRE(store_record(folder.path, record).empty());
 
     std::filesystem::rename(record_file(folder.path, record.key), record_file(folder.path, some_key()));
 
@@ -105,7 +105,7 @@ TEST_CASE("a file under the right name that speaks of another key is not taken")
 
 TEST_CASE("a damaged record is not there") {
     const Folder folder;
-    REQUIRE(store_record(folder.path, some_record()));
+    REQUIRE(store_record(folder.path, some_record()).empty());
     const auto file = record_file(folder.path, some_key());
     const std::string whole = read_file(file);
 
@@ -120,7 +120,7 @@ TEST_CASE("a damaged record is not there") {
 
 TEST_CASE("a forgotten record is not there, and forgetting nothing is no error") {
     const Folder folder;
-    REQUIRE(store_record(folder.path, some_record()));
+    REQUIRE(store_record(folder.path, some_record()).empty());
 
     forget_record(folder.path, some_key());
     forget_record(folder.path, some_key());
@@ -132,8 +132,8 @@ TEST_CASE("without a folder, or in one that cannot be made, nothing is kept and 
     const Folder folder;
     write_file(folder.path / "file", "x");
 
-    CHECK_FALSE(store_record({}, some_record()));
-    CHECK_FALSE(store_record(folder.path / "file" / "below", some_record()));
+    CHECK(store_record({}, some_record()) == "there is no folder for it");
+    CHECK(store_record(folder.path / "file" / "below", some_record()).find("below") != std::string::npos);
     CHECK_FALSE(load_record({}, some_key()).has_value());
 }
 

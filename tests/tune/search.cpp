@@ -28,7 +28,9 @@ public:
         hands.clock = [this] { return now; };
         hands.keep = [this](const Record&) { ++kept; };
         hands.announce = [](std::size_t, std::size_t, const Candidate&) {};
-        hands.try_out = [this](const Candidate& candidate, double limit) { return take(candidate, limit); };
+        hands.try_out = [this](const Candidate& candidate, double running, double whole) {
+            return take(candidate, std::min(running, whole));
+        };
         return hands;
     }
 
@@ -129,6 +131,24 @@ TEST_CASE("what hangs is struck out, and the others are tried") {
     CHECK(record.find(of_depth(16))->verdict == Verdict::hung);
     CHECK_THAT(record.find(of_depth(16))->message, Catch::Contains("20 seconds"));
     CHECK(record.trials.size() == list.size());
+}
+
+TEST_CASE("what hung under a shorter limit is tried again under a longer one, by an exhaustive search") {
+    Bench bench;
+    bench.durations = {{16, 10.0}};
+    Budget impatient;
+    impatient.candidate = 2;
+    Record record;
+    search(record, list, Effort::exhaustive, impatient, bench.hands());
+    REQUIRE(record.find(of_depth(16))->verdict == Verdict::hung);
+    CHECK(record.find(of_depth(16))->limit == 2);
+    CHECK_FALSE(has_more_patience(impatient, record));
+    CHECK(has_more_patience({}, record));
+
+    search(record, list, Effort::exhaustive, impatient, bench.hands());
+    CHECK(record.find(of_depth(16))->verdict == Verdict::hung);
+    search(record, list, Effort::exhaustive, {}, bench.hands());
+    CHECK(record.find(of_depth(16))->verdict == Verdict::good);
 }
 
 TEST_CASE("a search that was interrupted goes on where it was, and does not touch what was struck out") {
