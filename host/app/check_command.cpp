@@ -45,7 +45,7 @@ std::size_t check_file(const std::string& file, bool explain) {
         counted(experiment.chemicals.size(), "chemical"), counted(experiment.rules.size(), "rule"),
         counted(experiment.last_iteration(), "iteration"),
         warnings.empty() ? "" : "; " + counted(warnings.size(), "warning"));
-    std::fflush(stdout);  // the warnings come after the line of their file
+    send();  // the warnings come after the line of their file
     print_warnings(experiment, warnings);
     if (explain) {
         for (const std::string& note : change_notes(experiment)) say("  {}\n", note);

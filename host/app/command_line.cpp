@@ -2,9 +2,10 @@
 #include "app/command_line.hpp"
 
 #include "app/commands.hpp"
+#include "app/options_of.hpp"
 #include "app/say.hpp"
+#include "app/validators.hpp"
 #include "core/error.hpp"
-#include "language/words.hpp"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -12,6 +13,7 @@
 #include <CLI/Formatter.hpp>
 
 #include <cstdio>
+#include <sstream>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -19,21 +21,6 @@
 namespace pelage::app {
 
 namespace {
-
-std::vector<std::string> option_names(const CLI::App& command) {
-    std::vector<std::string> names;
-    for (const CLI::Option* option : command.get_options()) {
-        if (option->get_group().empty()) continue;
-        for (const std::string& name : option->get_lnames()) names.push_back("--" + name);
-        for (const std::string& name : option->get_snames()) names.push_back("-" + name);
-    }
-    return names;
-}
-
-std::string meant(const std::string& found, const std::vector<std::string>& words) {
-    const std::vector<std::string_view> views(words.begin(), words.end());
-    return language::suggestion(found, views);
-}
 
 // The first of the command that has the option; null: none.
 const CLI::App* owner_of(const CLI::App& app, const std::string& option) {
@@ -63,7 +50,29 @@ const CLI::App& named(const CLI::App& app) {
 }
 
 bool is_option(const std::string& word) {
-    return word.size() > 1 && word[0] == '-' && std::string("0123456789.").find(word[1]) == std::string::npos;
+    return word.size() > 1 && word != "--" && word[0] == '-' &&
+           std::string("0123456789.").find(word[1]) == std::string::npos;
+}
+
+std::string about_words(const CLI::App& command, std::vector<std::string> left) {
+    const bool files_only = left.front() == "--";
+    if (files_only && left.size() > 1) left.erase(left.begin());
+    return fmt::format("`pelage {}` does not know what to do with '{}'{}", command.get_name(), left.front(),
+                       files_only ? "; after '--' all words are files" : "");
+}
+
+// What CLI11 has to say of one option, in a sentence.
+std::string about_option(const CLI::App& command, const CLI::ParseError& error) {
+    const std::string text = error.what();  // begins with the option's name
+    std::string name = text.substr(0, text.find_first_of(": "));
+    if (command.get_option_no_throw(name) == nullptr) name = "--" + name;
+    const CLI::Option* option = command.get_option_no_throw(name);
+    if (option == nullptr) return text;
+    if (error.get_name() == "RequiredError") return fmt::format("`pelage {}` needs a {}", command.get_name(), name);
+    if (error.get_name() != "ArgumentMismatch") return text;
+    if (option->get_items_expected_max() == 0) return fmt::format("the option '{}' takes no value", name);
+    if (option->count() > 1) return fmt::format("the option '{}' is given more than once", name);
+    return fmt::format("the option '{}' needs a value, {}", name, option->get_type_name());
 }
 
 std::string reason(const CLI::App& app, const CLI::ParseError& error) {
@@ -73,14 +82,28 @@ std::string reason(const CLI::App& app, const CLI::ParseError& error) {
     const CLI::App& command = named(app);
     const std::vector<std::string> left = command.remaining();
     for (const std::string& word : left) {
+        if (word == "--") break;
         if (is_option(word)) return unknown_option(app, command, word);
     }
     const std::string see = &command == &app ? "" : command.get_name() + " ";
-    if (!left.empty() && &command != &app) {
-        return fmt::format("`pelage {0}` does not know what to do with '{1}' (see `pelage {0} --help`)",
-                           command.get_name(), left.front());
+    const bool words = !left.empty() && left.back() != "--" && &command != &app;
+    return fmt::format("{} (see `pelage {}--help`)", words ? about_words(command, left) : about_option(command, error),
+                       see);
+}
+
+// "--quiet=5" would be taken for --quiet.
+void refuse_values_of_flags(CLI::App& command) {
+    for (CLI::Option* option : command.get_options()) {
+        if (option->get_items_expected_max() == 0) option->disable_flag_override();
     }
-    return fmt::format("{} (see `pelage {}--help`)", error.what(), see);
+}
+
+// --help and --version.
+int print(const CLI::App& app, const CLI::ParseError& asked) {
+    std::ostringstream out, err;
+    const int exit_code = app.exit(asked, out, err);
+    say("{}", out.str());
+    return unless_unprinted(exit_code);
 }
 
 }  // namespace
@@ -89,6 +112,8 @@ int complain(const std::string& text) {
     say(stderr, "pelage: {}\n", text);
     return bad_input;
 }
+
+int unless_unprinted(int exit_code) { return printed() ? exit_code : complain("standard output cannot be written"); }
 
 std::vector<const CLI::App*> commands_of(const CLI::App& app) {
     return app.get_subcommands([](const CLI::App* command) { return !command->get_group().empty(); });
@@ -134,6 +159,8 @@ void define(CLI::App& app, int& exit_code) {
     add_tune(app, exit_code);
     add_help(app, exit_code);
     add_completion(app, exit_code);
+    refuse_values_of_flags(app);
+    for (CLI::App* command : app.get_subcommands({})) refuse_values_of_flags(*command);
 }
 
 int parse(CLI::App& app, int argc, char** argv) {
@@ -147,11 +174,12 @@ int parse(CLI::App& app, int argc, char** argv) {
         say("{}", help_of(app, argv[2]));
         return success;
     }
+    if (std::string_view(argv[1]) == "--") return complain("a command comes first (see `pelage --help`)");
     if (argv[1][0] != '-') (void)command_named(app, argv[1]);
     try {
         app.parse(argc, argv);
     } catch (const CLI::ParseError& error) {
-        if (error.get_exit_code() == 0) return app.exit(error);  // --help, --version
+        if (error.get_exit_code() == 0) return print(app, error);
         return complain(reason(app, error));
     }
     return success;

@@ -21,6 +21,9 @@ std::string help_of(const CLI::App&, const std::string& command);
 // "pelage: TEXT" on standard error; returns bad_input.
 int complain(const std::string& text);
 
+// The exit code, unless what was to be printed has not arrived: then that is told, and it is bad_input.
+int unless_unprinted(int exit_code);
+
 // The subcommands that people are meant to see, in the order of --help.
 std::vector<const CLI::App*> commands_of(const CLI::App&);
 std::vector<std::string> command_names(const CLI::App&);  // of these

@@ -15,14 +15,6 @@ namespace pelage::app {
 
 namespace {
 
-std::vector<std::string> option_names(const CLI::App& command) {
-    std::vector<std::string> names;
-    for (const OptionText& option : options_of(command)) {
-        names.insert(names.end(), option.names.begin(), option.names.end());
-    }
-    return names;
-}
-
 // What the first word after a command may be, where that is no file.
 std::vector<std::string> first_words(const CLI::App& app, const CLI::App& command) {
     if (command.get_name() == "help") return command_names(app);

@@ -41,14 +41,6 @@ bool possible(const std::string& name) {
     return std::any_of(endings.begin(), endings.end(), [&](const char* ending) { return name.ends_with(ending); });
 }
 
-// The iteration of a snapshot's file: "250.png", "250.U.npy".
-std::optional<std::uint64_t> iteration_of(const std::string& name) {
-    std::uint64_t iteration = 0;
-    const auto [end, error] = std::from_chars(name.data(), name.data() + name.size(), iteration);
-    if (error != std::errc{} || end == name.data() || *end != '.') return std::nullopt;
-    return iteration;
-}
-
 std::string word(const Json& json, const char* key) {
     const auto found = json.find(key);
     return found != json.end() && found->is_string() ? found->get<std::string>() : std::string();
@@ -74,6 +66,13 @@ std::vector<InputFile> inputs_in(const Json& manifest) {
 }
 
 }  // namespace
+
+std::optional<std::uint64_t> iteration_of(const std::string& name) {
+    std::uint64_t iteration = 0;
+    const auto [end, error] = std::from_chars(name.data(), name.data() + name.size(), iteration);
+    if (error != std::errc{} || end == name.data() || *end != '.') return std::nullopt;
+    return iteration;
+}
 
 std::string run_identity(const std::string& experiment_text, std::int64_t seed, Precision precision) {
     return sha256(fmt::format("{}\n{} {}", valid_utf8(experiment_text), seed, static_cast<int>(precision)));

@@ -48,6 +48,9 @@ private:
     bool journal_open_ = false;
 };
 
+// The iteration of a snapshot's file: "250.png", "250.U.npy"; nothing for others.
+std::optional<std::uint64_t> iteration_of(const std::string& file);
+
 // What the manifest beside a checkpoint says of the files its run started from, if that is the same run.
 std::vector<InputFile> earlier_inputs(const std::filesystem::path& checkpoint, const std::string& identity);
 

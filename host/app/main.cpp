@@ -22,8 +22,7 @@ int run(int argc, char** argv) {
     const int parsed = pelage::app::parse(app, argc, argv);
     if (parsed != pelage::app::success) return parsed;
     // A run's results are files, and these are whole.
-    if (!pelage::app::printed() && !app.got_subcommand("run")) return complain("standard output cannot be written");
-    return exit_code;
+    return app.got_subcommand("run") ? exit_code : pelage::app::unless_unprinted(exit_code);
 }
 
 }  // namespace

@@ -45,4 +45,12 @@ std::vector<OptionText> options_of(const CLI::App& command) {
     return all;
 }
 
+std::vector<std::string> option_names(const CLI::App& command) {
+    std::vector<std::string> names;
+    for (const OptionText& option : options_of(command)) {
+        names.insert(names.end(), option.names.begin(), option.names.end());
+    }
+    return names;
+}
+
 }  // namespace pelage::app

@@ -20,4 +20,7 @@ struct OptionText {
 // All but hidden ones, words that are no option last.
 std::vector<OptionText> options_of(const CLI::App&);
 
+// The names of those that are options: "-o", "--out", ...
+std::vector<std::string> option_names(const CLI::App&);
+
 }  // namespace pelage::app

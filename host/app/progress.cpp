@@ -44,8 +44,13 @@ std::string progress_line(const std::string& phase, std::uint64_t iteration, std
                           double updates_per_second, std::size_t width) {
     const double part = last == 0 ? 1.0 : static_cast<double>(iteration) / static_cast<double>(last);
     const std::string name = phase.empty() ? "" : phase + "  ";
-    const std::string text = fmt::format("{}/{}  {:.0f}%  ETA {}  {} M updates/s", grouped(iteration), grouped(last),
-                                         std::floor(100 * part), clock_time(seconds_left), megas(updates_per_second));
+    const std::string end = grouped(last);
+    // A bar keeps its length while the numbers grow; a log needs no columns.
+    const bool bars = width != 0;
+    const std::string text =
+        fmt::format("{:>{}}/{}  {:>{}.0f}%  ETA {:>{}}  {:>{}} M updates/s", grouped(iteration), bars ? end.size() : 0,
+                    end, std::floor(100 * part), bars ? 3 : 0, clock_time(seconds_left), bars ? 8 : 0,
+                    megas(updates_per_second), bars ? 5 : 0);
     constexpr std::size_t smallest_bar = 12;
     std::string bar;
     if (width > name.size() + text.size() + smallest_bar) {
@@ -63,11 +68,22 @@ Progress::Style Progress::fitting_style(bool quiet) {
     return isatty(STDERR_FILENO) != 0 ? Style::bar : Style::log;
 }
 
-Progress::Progress(Style style, std::uint64_t first, std::uint64_t last) : style_(style), first_(first), last_(last) {}
+Progress::Progress(Style style, std::uint64_t last) : style_(style), last_(last) {}
 
 bool Progress::too_soon() const {
     const auto since = Clock::now() - shown_;
     return style_ == Style::bar ? since < bar_pause : since < log_pause;
+}
+
+// The first stretch is not judged by: most of it may be compilation.
+double Progress::seconds_left(std::uint64_t iteration, Clock::time_point now) {
+    if (!warm_) {
+        warm_ = Warm{iteration, now};
+        return INFINITY;
+    }
+    const auto done = static_cast<double>(iteration - warm_->iteration);
+    const double seconds = std::chrono::duration<double>(now - warm_->time).count();
+    return done > 0 ? seconds * static_cast<double>(last_ - iteration) / done : INFINITY;
 }
 
 void Progress::show(const std::string& phase, std::uint64_t iteration, double updates) {
@@ -75,8 +91,7 @@ void Progress::show(const std::string& phase, std::uint64_t iteration, double up
     const auto now = shown_ = Clock::now();
     const bool bar = style_ == Style::bar;
     const double seconds = std::chrono::duration<double>(now - start_).count();
-    const auto done = static_cast<double>(iteration - first_);
-    const double left = done > 0 ? seconds * static_cast<double>(last_ - iteration) / done : INFINITY;
+    const double left = seconds_left(iteration, now);
     const std::string line =
         progress_line(phase, iteration, last_, left, updates / seconds, bar ? terminal_width() : 0);
     say(stderr, "{}{}{}", bar ? "\r\x1b[K" : "", line, bar ? "" : "\n");

@@ -6,6 +6,7 @@
 #include <chrono>
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <string>
 
 namespace pelage::app {
@@ -26,7 +27,7 @@ public:
     // bar when standard error is a terminal, silent when told so.
     static Style fitting_style(bool quiet);
 
-    Progress(Style, std::uint64_t first, std::uint64_t last);
+    Progress(Style, std::uint64_t last);
     ~Progress() { clear(); }
     Progress(const Progress&) = delete;
     Progress& operator=(const Progress&) = delete;
@@ -40,11 +41,17 @@ public:
 private:
     using Clock = std::chrono::steady_clock;
 
+    struct Warm {  // the first moment that was shown
+        std::uint64_t iteration = 0;
+        Clock::time_point time;
+    };
+
     bool too_soon() const;
+    double seconds_left(std::uint64_t iteration, Clock::time_point now);
 
     Style style_;
-    std::uint64_t first_;
     std::uint64_t last_;
+    std::optional<Warm> warm_;
     Clock::time_point start_ = Clock::now();
     Clock::time_point shown_ = start_;
     bool drawn_ = false;

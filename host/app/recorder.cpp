@@ -1,7 +1,9 @@
 // See recorder.hpp.
 #include "app/recorder.hpp"
 
+#include "core/forecast.hpp"
 #include "io/checkpoint.hpp"
+#include "io/picture.hpp"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -27,19 +29,27 @@ Attributes attributes_of(const RunOptions& options, const Experiment& experiment
             {"version", PELAGE_VERSION}};
 }
 
+// One for all pictures of a run: those of a growing tissue are in one scale then.
+std::size_t enlargement_of(const Experiment& experiment, std::uint64_t last) {
+    const auto size = final_size(experiment, last);
+    if (!size) return 0;
+    return enlargement(static_cast<std::size_t>(size->columns), static_cast<std::size_t>(size->rows));
+}
+
 void add_search(Manifest& manifest, const Tally& tally, const std::string& neighbours) {
     if (tally.search.iterations == 0) return;
     manifest.more_texts["neighbours"] = neighbours;
     manifest.more_numbers["neighbour_miss_rate"] = tally.search.miss_rate();
     if (tally.growing.iterations > 0) manifest.more_numbers["neighbour_miss_rate_growing"] = tally.growing.miss_rate();
-    manifest.more_numbers["neighbours_missed"] = static_cast<double>(tally.search.neighbours_missed);
-    manifest.more_numbers["neighbours_exact"] = static_cast<double>(tally.search.neighbours_exact);
+    manifest.more_counts["neighbours_missed"] = tally.search.neighbours_missed;
+    manifest.more_counts["neighbours_exact"] = tally.search.neighbours_exact;
 }
 
 }  // namespace
 
 Recorder::Recorder(const RunOptions& options, const Experiment& experiment, const Machine& machine,
-                   std::optional<std::uint64_t> resumed_at, std::function<void(const std::string&, bool)> tell)
+                   std::optional<std::uint64_t> resumed_at, std::uint64_t last,
+                   std::function<void(const std::string&, bool)> tell)
     : options_(options),
       experiment_(experiment),
       machine_(machine),
@@ -47,7 +57,8 @@ Recorder::Recorder(const RunOptions& options, const Experiment& experiment, cons
       tell_(std::move(tell)),
       identity_(run_identity(experiment.text, experiment.run_seed(), options.precision)),
       ledger_(folder_, identity_, resumed_at),
-      reel_(folder_, experiment, identity_, resumed_at) {
+      reel_(folder_, experiment, identity_, resumed_at),
+      warning_(lost_colours()) {
     result_options_.precision = options.precision;
     if (options.cells == "hexagon") result_options_.drawing.shape = CellShape::hexagon;
     if (options.cells == "voronoi") result_options_.drawing.shape = CellShape::voronoi;
@@ -55,7 +66,21 @@ Recorder::Recorder(const RunOptions& options, const Experiment& experiment, cons
     result_options_.exr_type = options.exr_type == "half" ? ExrType::half : ExrType::float_;
     result_options_.deep_png = options.png_bits == "16";
     result_options_.attributes = attributes_of(options, experiment, machine);
+    result_options_.enlargement = enlargement_of(experiment, last);
     result_options_.before = [this](const std::vector<std::string>& files) { ledger_.begin(files); };
+}
+
+// The ledger has only kept files by now.
+std::string Recorder::lost_colours() const {
+    for (const std::string& file : ledger_.files()) {
+        const auto iteration = iteration_of(file);
+        if (!iteration || !file.ends_with(".png") || reel_.can_redraw(*iteration)) continue;
+        return fmt::format(
+            "{} is missing or damaged: the pictures from before the checkpoint, such as {}, keep a range of "
+            "colours that those to come do not share",
+            (folder_ / reel_name).string(), file);
+    }
+    return {};
 }
 
 void Recorder::write(const Snapshot& state, const std::string& stem, const SharedRanges& ranges,
@@ -140,7 +165,7 @@ void Recorder::manifest(const Snapshot& state, const Tally& tally, const char* e
     manifest.files = ledger_.files();
     manifest.more_texts["end"] = end;
     if (!tally.notes.empty()) manifest.more_texts["fusion"] = fmt::format("{}", fmt::join(tally.notes, "; "));
-    manifest.more_numbers["first_iteration"] = static_cast<double>(tally.started_at);
+    manifest.more_counts["first_iteration"] = tally.started_at;
     manifest.more_numbers["writing_seconds"] = writing_;
     add_search(manifest, tally, options_.neighbours);
     ledger_.written();

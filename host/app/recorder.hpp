@@ -35,9 +35,9 @@ struct Tally {
 class Recorder {
 public:
     // `tell` hears the name of each file when it is begun, and whether it is large. `resumed_at`: the iteration of the
-    // checkpoint.
+    // checkpoint; `last`: where the run ends, whose lattice says how much all pictures are enlarged.
     Recorder(const RunOptions&, const Experiment&, const Machine&, std::optional<std::uint64_t> resumed_at,
-             std::function<void(const std::string&, bool)> tell);
+             std::uint64_t last, std::function<void(const std::string&, bool)> tell);
 
     void snapshot(const Snapshot&);                     // ITERATION.*
     void results(const Snapshot&);                      // final.*
@@ -48,9 +48,14 @@ public:
 
     const std::filesystem::path& folder() const { return folder_; }
 
+    // In one sentence, of pictures from before the checkpoint that cannot share the colours of those to come; empty:
+    // none.
+    const std::string& warning() const { return warning_; }
+
 private:
     void write(const Snapshot&, const std::string& stem, const SharedRanges&, const std::vector<Format>&);
     std::filesystem::path save(const Snapshot&, const char* name) const;
+    std::string lost_colours() const;
     Manifest facts() const;  // those of the run that do not change
 
     const RunOptions& options_;
@@ -62,6 +67,7 @@ private:
     std::string identity_;
     Ledger ledger_;
     Reel reel_;
+    std::string warning_;
     std::chrono::system_clock::time_point started_ = std::chrono::system_clock::now();
     double writing_ = 0;  // seconds
 };

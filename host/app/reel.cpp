@@ -19,8 +19,6 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr const char* reel_name = ".pelage-reel";
-
 bool shared(const Output& output) { return !output.range && !output.own_range && output.drawing != Drawing::normal; }
 
 // The arrays that pictures need, in the file's order: places, polarity, and the outputs' chemicals.
@@ -72,7 +70,7 @@ void Reel::take_up(std::uint64_t resumed_at) {
         while (const auto state = read_record()) {
             if (state->iteration > resumed_at) break;
             widen(*state);
-            records_.push_back({end, ranges_});
+            records_.push_back({state->iteration, end, ranges_});
             end = std::ftell(file_.get());
         }
     }
@@ -111,7 +109,7 @@ void Reel::write_record(const Snapshot& state) {
     const std::array<std::uint64_t, 4> shape{state.iteration, state.columns, state.rows, state.cells()};
     const std::array<double, 2> centre{state.origin_x, state.origin_y};
     if (std::fseek(file_.get(), 0, SEEK_END) != 0) fail();
-    records_.push_back({std::ftell(file_.get()), ranges_});
+    records_.push_back({state.iteration, std::ftell(file_.get()), ranges_});
     if (std::fwrite(shape.data(), sizeof shape, 1, file_.get()) != 1) fail();
     if (std::fwrite(centre.data(), sizeof centre, 1, file_.get()) != 1) fail();
     std::vector<float> values(state.cells());
@@ -146,6 +144,10 @@ void Reel::redraw(const std::function<void(const Snapshot&, const SharedRanges&)
         draw(*state, ranges_);
         record.drawn = ranges_;
     }
+}
+
+bool Reel::can_redraw(std::uint64_t iteration) const {
+    return !shares() || std::ranges::any_of(records_, [&](const Record& one) { return one.iteration == iteration; });
 }
 
 void Reel::discard() {

@@ -21,6 +21,8 @@ namespace pelage::app {
 // For each output the range that its snapshots share; empty: it has its own.
 using SharedRanges = std::vector<std::optional<ValueRange>>;
 
+inline constexpr const char* reel_name = ".pelage-reel";
+
 // A hidden file in the run's folder. Only what pictures need is kept, in single precision.
 class Reel {
 public:
@@ -35,10 +37,14 @@ public:
     // that pictures need are filled in; the others are 0.
     void redraw(const std::function<void(const Snapshot&, const SharedRanges&)>& draw);
 
+    // Whether all pictures from that iteration can be drawn anew, as far as that is wanted.
+    bool can_redraw(std::uint64_t iteration) const;
+
     void discard();  // the file goes
 
 private:
     struct Record {
+        std::uint64_t iteration = 0;
         long begin = 0;
         SharedRanges drawn;
     };

@@ -3,6 +3,7 @@
 #include "app/run_options.hpp"
 #include "app/runner.hpp"
 #include "app/validators.hpp"
+#include "core/error.hpp"
 #include "io/results.hpp"
 
 #include <fmt/format.h>
@@ -13,6 +14,7 @@
 #include <cstdint>
 #include <limits>
 #include <memory>
+#include <sstream>
 #include <string>
 
 namespace pelage::app {
@@ -20,6 +22,22 @@ namespace pelage::app {
 namespace {
 
 CLI::Validator count_from(std::int64_t smallest) { return whole_number(smallest, largest_iteration); }
+
+// A list as parse_formats() reads it; a mistyped word is answered with the nearest one.
+CLI::Validator formats() {
+    const auto look = [](std::string& list) -> std::string {
+        std::istringstream words(list);
+        for (std::string word; std::getline(words, word, ',');) {
+            try {
+                (void)parse_formats(word);
+            } catch (const Error& error) {
+                return error.what() + meant(word, {"exr", "png", "npy", "csv", "vti"});
+            }
+        }
+        return list.empty() || list.back() == ',' ? "a format is missing in '" + list + "'" : "";
+    };
+    return {look, ""};
+}
 
 void add_machine_options(CLI::App& command, RunOptions& options) {
     command
@@ -97,7 +115,7 @@ void add_result_options(CLI::App& command, RunOptions& options) {
         .add_option("--format", options.formats,
                     "Files to write, separated by commas: exr, png, npy, csv, vti. Default: exr,png")
         ->type_name("LIST")
-        ->each([](const std::string& list) { parse_formats(list); });
+        ->check(formats());
     command
         .add_option("--exr-type", options.exr_type, "Numbers of 32 bits (float) or 16 (half) in EXR. Default: float")
         ->type_name("float|half")

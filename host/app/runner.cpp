@@ -42,10 +42,11 @@ public:
           tissue_(tissue),
           guard_(tissue),
           times_(timetable(options, prepared)),
-          progress_(Progress::fitting_style(options.quiet), tissue.iteration(), prepared.last),
-          recorder_(options, prepared.experiment, machine, prepared.resumed_at,
+          progress_(Progress::fitting_style(options.quiet), prepared.last),
+          recorder_(options, prepared.experiment, machine, prepared.resumed_at, prepared.last,
                     [this](const std::string& file, bool large) { progress_.writing(file, large); }) {
         tally_.started_at = tissue.iteration();
+        if (!recorder_.warning().empty()) tell("pelage: warning: {}\n", recorder_.warning());
     }
 
     int carry_out() {

@@ -1,7 +1,10 @@
 // See validators.hpp.
 #include "app/validators.hpp"
 
+#include "language/words.hpp"
+
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <charconv>
@@ -63,7 +66,27 @@ CLI::Validator whole_number(std::int64_t smallest, std::uint64_t largest) {
     return {bring, ""};
 }
 
-CLI::Validator one_of(const std::vector<std::string>& words) { return CLI::IsMember(words).description(""); }
+CLI::Validator one_of(const std::vector<std::string>& words) {
+    const auto look = [words](std::string& word) -> std::string {
+        if (std::ranges::find(words, word) != words.end()) return {};
+        return fmt::format("'{}' is none of {}{}", word, fmt::join(words, ", "), meant(word, words));
+    };
+    return {look, ""};
+}
+
+CLI::Validator seconds(double shortest, double longest) {
+    const auto look = [shortest, longest](std::string& word) -> std::string {
+        const auto value = read<double>(word);
+        if (value && *value >= shortest && *value <= longest) return {};
+        return fmt::format("'{}' is not a number from {} to {}", word, shortest, longest);
+    };
+    return {look, ""};
+}
+
+std::string meant(const std::string& found, const std::vector<std::string>& words) {
+    const std::vector<std::string_view> views(words.begin(), words.end());
+    return language::suggestion(found, views);
+}
 
 CLI::Validator trimmed() {
     const auto trim = [](std::string& word) -> std::string {

@@ -14,6 +14,11 @@ CLI::Validator whole_number(std::int64_t smallest, std::uint64_t largest);
 
 CLI::Validator one_of(const std::vector<std::string>& words);
 
+CLI::Validator seconds(double shortest, double longest);
+
+// "; did you mean 'WORD'?" of the word that is nearest, or nothing.
+std::string meant(const std::string& found, const std::vector<std::string>& words);
+
 // Blanks around the value do not count: "png, npy".
 CLI::Validator trimmed();
 

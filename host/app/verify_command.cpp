@@ -91,6 +91,7 @@ int list(const VerifyOptions& options) {
 
 int verify_all(const Request& request) {
     const VerifyOptions& options = request.options;
+    if (request.quick && options.full) throw Error("--quick and --full exclude each other");
     if (request.worker) return answer_checks(options);
     if (request.list) return list(options);
     prepare_json(request.json);
@@ -104,7 +105,7 @@ int verify_all(const Request& request) {
     for (const DeviceInfo& device : devices_of(options)) {
         if (!device.unusable.empty()) throw Error(fmt::format("device '{}': {}", device.name, device.unusable));
         say("{}{} ({}, driver {})\n", report.devices.empty() ? "" : "\n", device.name, device.platform, device.driver);
-        std::fflush(stdout);
+        send();
         report.devices.push_back(verify_device(device, checks, options));
         say("{}", table(report.devices.back().results));
         print_failures(report.devices.back(), options);
@@ -128,23 +129,23 @@ void add_verify(CLI::App& app, int& exit_code) {
         app.add_subcommand("verify", "Check every kernel on a device against the reference, bit by bit");
     command->add_option("--device", options.device, "Index or part of the name, or `all`; see `pelage devices`")
         ->type_name("DEVICE");
-    auto* quick = command->add_flag("--quick", request->quick, "Each kernel path once, in half a minute (default)");
-    command->add_flag("--full", options.full, "Every case, in every shape of the work, in some minutes")
-        ->excludes(quick);
+    command->add_flag("--quick", request->quick, "Each kernel path once, in half a minute or a few (default)");
+    command->add_flag("--full", options.full, "Every case, in every shape of the work, in some minutes");
     command->add_flag("--small", options.small, "Smallest sizes alone, for simulators");
     command->add_option("--filter", options.filter, "Only checks with this in their name")->type_name("TEXT");
-    command->add_option("--seed", options.seed, "For the checks that are drawn at random")
-        ->capture_default_str()
+    command->add_option("--seed", options.seed, "For the checks that are drawn at random. Default: 1")
+        ->type_name("N")
         ->transform(whole_number(0, std::numeric_limits<std::uint64_t>::max()));
     command->add_option("--jobs", options.jobs, "Processes at once (default: two a processor, at most 4)")
         ->type_name("N")
         ->transform(whole_number(1, 64));
-    command->add_option("--limit", options.limit, "Seconds that one check may take")
-        ->capture_default_str()
+    command->add_option("--limit", options.limit, "Seconds that one check may take. Default: 300")
+        ->type_name("SECONDS")
         ->transform(whole_number(1, 86'400));
-    command->add_option("--evidence", options.evidence, "Folder for pictures of differences; made when needed")
-        ->type_name("DIR")
-        ->capture_default_str();
+    command
+        ->add_option("--evidence", options.evidence,
+                     "Folder for pictures of differences, made when needed. Default: pelage-verify")
+        ->type_name("DIR");
     command->add_option("--json", request->json, "Write all results to this file")->type_name("FILE");
     command->add_option("--html", request->page, "Write a page to look at")->type_name("FILE");
     command->add_flag("--list", request->list, "Name the checks and run none");

@@ -3,6 +3,7 @@
 
 #include "bench/cases.hpp"
 #include "core/error.hpp"
+#include "language/words.hpp"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -22,7 +23,9 @@ bool among(const std::vector<std::string>& words, const std::string& word) {
 void check_words(const char* option, const std::vector<std::string>& given, const std::vector<std::string>& allowed) {
     for (const std::string& word : given) {
         if (among(allowed, word)) continue;
-        throw Error(fmt::format("{} '{}' is unknown; there are: {}", option, word, fmt::join(allowed, ", ")));
+        const std::vector<std::string_view> words(allowed.begin(), allowed.end());
+        throw Error(fmt::format("{} '{}' is unknown; there are: {}{}", option, word, fmt::join(allowed, ", "),
+                                language::suggestion(word, words)));
     }
 }
 

@@ -21,11 +21,11 @@ double activations(const Rule& rule, std::uint64_t last) {
 
 }  // namespace
 
-double final_cells(const Experiment& experiment, std::uint64_t last) {
+std::optional<LatticeSize> final_size(const Experiment& experiment, std::uint64_t last) {
     const auto matrix =
         std::find_if(experiment.prepattern.begin(), experiment.prepattern.end(),
                      [](const auto& statement) { return std::holds_alternative<CreateMatrix>(statement); });
-    if (matrix == experiment.prepattern.end()) return static_cast<double>(count_cells(experiment));
+    if (matrix == experiment.prepattern.end()) return {};
     auto columns = static_cast<double>(std::get<CreateMatrix>(*matrix).columns);
     auto rows = static_cast<double>(std::get<CreateMatrix>(*matrix).rows);
     for (const Rule& rule : experiment.rules) {
@@ -34,7 +34,12 @@ double final_cells(const Experiment& experiment, std::uint64_t last) {
         columns += activations(rule, last) * static_cast<double>(growth->columns);
         rows += activations(rule, last) * static_cast<double>(growth->rows);
     }
-    return columns * rows;
+    return LatticeSize{columns, rows};
+}
+
+double final_cells(const Experiment& experiment, std::uint64_t last) {
+    const auto size = final_size(experiment, last);
+    return size ? size->columns * size->rows : static_cast<double>(count_cells(experiment));
 }
 
 std::uint64_t end_of_set(const Experiment& experiment, const std::vector<bool>& active, std::uint64_t iteration) {

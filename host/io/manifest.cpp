@@ -57,6 +57,7 @@ nlohmann::ordered_json to_json(const Manifest& manifest, const Experiment& exper
                                 {"files", manifest.files}};
     for (const auto& [key, text] : manifest.more_texts) json[key] = text;
     for (const auto& [key, number] : manifest.more_numbers) json[key] = number;
+    for (const auto& [key, count] : manifest.more_counts) json[key] = count;
     json["options"] = options_of(manifest);
     json["inputs"] = inputs_of(experiment);
     auto& phases = json["phases"] = nlohmann::ordered_json::array();

@@ -43,6 +43,7 @@ struct Manifest {
     std::chrono::system_clock::time_point started;
     std::map<std::string, std::string> more_texts;  // further entries, by key
     std::map<std::string, double> more_numbers;     // a NaN or infinity becomes null
+    std::map<std::string, std::uint64_t> more_counts;
 };
 
 // The JSON object, indented: the fields above by name (precision "float" or "double", started as ISO 8601 in UTC;

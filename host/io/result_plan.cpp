@@ -163,7 +163,8 @@ void ResultPlan::write_picture(const std::filesystem::path& path, std::size_t in
     if (snapshot_.lattice()) {
         Surface surface{values, snapshot_.columns, snapshot_.rows};
         surface.wrap = wraps(experiment_);
-        surface.factor = enlargement(snapshot_.columns, snapshot_.rows);
+        surface.factor =
+            options_.enlargement != 0 ? options_.enlargement : enlargement(snapshot_.columns, snapshot_.rows);
         return write_output(path, surface, output, shared_range(index), options_.deep_png);
     }
     const Colours colours(output, drawn_range(output, values, shared_range(index)));

@@ -39,7 +39,8 @@ struct ResultOptions {
     bool deep_png = false;  // 16 bits a channel; the colours of free cells are still those of 8
     // The range in which each output draws where it has none of its own; shorter, or empty: that of its values.
     std::vector<std::optional<ValueRange>> ranges;
-    bool ranged_only = false;  // of the pictures, only those of outputs that are given a range here
+    std::size_t enlargement = 0;  // of a lattice's pictures; 0: that of its own size
+    bool ranged_only = false;     // of the pictures, only those of outputs that are given a range here
     std::function<void(const std::vector<std::string>&)> before;  // told all names before anything is written
     std::function<void(const std::string&)> begins;               // told a name when its file is begun; one at a time
 };

@@ -83,6 +83,69 @@ TEST_CASE("a mistyped option is named with the one that was meant, and nothing e
     CHECK_THAT(refusal({"rum", "x.pex"}), Contains("there is no command 'rum'; there are: run, check"));
 }
 
+TEST_CASE("what is missing, too much or no choice is told in a sentence, with the word that was meant") {
+    using Words = std::vector<std::string>;
+    const auto said = [](const Words& words) {
+        const std::string text = refusal(words);
+        return text.substr(8, text.find(" (see") - 8);  // without "pelage: "
+    };
+    CHECK(said({"run"}) == "`pelage run` needs a FILE");
+    CHECK(said({"completion"}) == "`pelage completion` needs a SHELL");
+    CHECK(said({"run", "x", "--seed"}) == "the option '--seed' needs a value, N");
+    CHECK(said({"run", "x", "--precision="}) == "the option '--precision' needs a value, float|double");
+    CHECK(said({"run", "x", "--seed", "1", "--seed", "2"}) == "the option '--seed' is given more than once");
+    CHECK(said({"run", "x", "--quiet=3"}) == "the option '--quiet' takes no value");
+    CHECK(said({"check", "--strict=5", "x"}) == "the option '--strict' takes no value");
+    CHECK(said({"--version=3"}) == "the option '--version' takes no value");
+    CHECK(said({"run", "x", "--backend", "openc"}) ==
+          "--backend: 'openc' is none of reference, opencl; did you mean 'opencl'?");
+    CHECK(said({"run", "x", "--precision", "duoble"}) ==
+          "--precision: 'duoble' is none of float, double; did you mean 'double'?");
+    CHECK(said({"tune", "x", "--precision", "half"}) == "--precision: 'half' is none of float, double");
+    CHECK(said({"tune", "x", "--limit", "0"}) == "--limit: '0' is not a number from 0.1 to 86400");
+    CHECK(said({"completion", "bsh"}) == "SHELL: 'bsh' is none of bash, zsh; did you mean 'bash'?");
+    CHECK_THAT(said({"run", "x", "--format", "npy,pgn"}), Contains("unknown format 'pgn'") && Contains("mean 'png'?"));
+    CHECK_THAT(refusal({"bench", "--suite", "latice"}), Contains("did you mean 'lattice'?"));
+    CHECK_THAT(refusal({"verify", "--quick", "--full"}), Contains("--quick and --full exclude each other"));
+    CHECK(said({"--", "run", "x"}) == "a command comes first");
+    CHECK(said({"check", "--"}) == "`pelage check` needs a FILE");
+    CHECK(said({"run", "--", "x", "--fast"}) ==
+          "`pelage run` does not know what to do with '--fast'; after '--' all words are files");
+}
+
+TEST_CASE("after -- a file may have any name") {
+    const Folder folder;
+    (void)folder.write("--spots.pex", test::spots);
+    test::Surroundings there;
+    there.folder = folder.path();
+
+    CHECK(command({"check", "--strict", "--", "--spots.pex"}, there).exit_code == 0);
+    CHECK(command({"run", "--backend", "reference", "-o", "out", "--", "--spots.pex"}, there).exit_code == 0);
+}
+
+TEST_CASE("help holds our own words alone, and the page of the command every option") {
+    Definition definition;
+    const std::string page = test::read_all(std::filesystem::path(PELAGE_SOURCE) / "docs" / "command.md");
+    for (const CLI::App* one : pelage::app::commands_of(definition.app)) {
+        const std::string name = one->get_name();
+        const std::string help = pelage::app::help_of(definition.app, name);
+        for (const char* raw : {"Excludes", "UINT", "TEXT=", "=1", "=300", "FLOAT", " INT"}) {
+            INFO(name << " has " << raw);
+            CHECK(help.find(raw) == std::string::npos);
+        }
+        // The commands that have a chapter of their own tell their options there.
+        const std::size_t usage = page.find("\n    pelage " + name + " ", page.find("## Devices"));
+        const std::size_t start = usage == std::string::npos ? 0 : usage;
+        const std::string part = page.substr(start, page.find("\n## ", start) - start);
+        for (const std::string& option : pelage::app::option_names(*one)) {
+            if (option == "--help" || option == "-h") continue;
+            const auto is_there = [&](char after) { return part.find(option + after) != std::string::npos; };
+            INFO(name << " " << option);
+            CHECK((is_there(' ') || is_there('`') || is_there(']') || is_there('|')));
+        }
+    }
+}
+
 TEST_CASE("whole numbers may be written as people write them") {
     using pelage::app::whole_number;
     const auto some = whole_number(1, 4'294'967'295);

@@ -33,6 +33,28 @@ struct Case {
 
 }  // namespace
 
+TEST_CASE("a run that is resumed without what its earlier pictures were drawn from says so") {
+    const Folder folder;
+    const std::string file = folder.write("spots.pex", test::spots);
+    const auto out = folder / "out";
+    const auto run = [&](const std::vector<std::string>& more) {
+        std::vector<std::string> words{"run", file, "--backend", "reference", "--out", out, "--snap-every", "20"};
+        words.insert(words.end(), more.begin(), more.end());
+        const Outcome outcome = command(words);
+        INFO(outcome.err);
+        CHECK(outcome.exit_code == 0);
+        return outcome.err;
+    };
+    (void)run({"--checkpoint-every", "50"});  // finished: the reel is gone
+    const std::vector<std::string> resumed{"--resume", out / "checkpoint.pelage"};
+
+    CHECK_THAT(run(resumed), Catch::Contains("warning: ") && Catch::Contains(".pelage-reel is missing or damaged") &&
+                                 Catch::Contains("a range of colours that those to come do not share"));
+    std::filesystem::remove_all(out / "0.png");
+    CHECK_THAT(run({"--checkpoint-every", "50", "--format", "npy"}), !Catch::Contains("warning"));
+    CHECK_THAT(run({"--resume", out / "checkpoint.pelage", "--format", "npy"}), !Catch::Contains("warning"));
+}
+
 TEST_CASE("Ctrl-C saves a checkpoint, and the command it prints ends in the bits of an uninterrupted run") {
     const Folder folder;
     const std::string file = folder.write("it's spots.pex", test::spots);

@@ -43,6 +43,9 @@ TEST_CASE("a line of progress holds phase, iterations, percent, time left and sp
         CHECK(progress_line("growth", 60500, 242000, 41.2, 812e6, width).size() < width);
     }
     CHECK(progress_line("", 0, 0, 0, 0, 0).find("100%") != std::string::npos);
+    const auto end_of_bar = [](const std::string& line) { return line.find(']'); };
+    CHECK(end_of_bar(progress_line("growth", 5, 242000, INFINITY, 1e9, 100)) == end_of_bar(bar));
+    CHECK(end_of_bar(progress_line("growth", 242000, 242000, 40000, 8.2e6, 100)) == end_of_bar(bar));
 }
 
 TEST_CASE("a run stops at every snapshot, at every checkpoint and at its end, and nowhere else") {

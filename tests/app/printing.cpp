@@ -72,9 +72,12 @@ TEST_CASE("what was asked for and cannot be printed is an error; a reader that h
     const Folder folder;
     const std::string file = folder.write("spots.pex", test::spots);
 
-    for (const char* full : {" >/dev/full", " >&-"}) {
-        const Outcome outcome = shell(program + " check --explain " + file + full);
-        INFO(full << ": " << outcome.err);
+    const std::string full = GENERATE(as<std::string>(), " >/dev/full", " >&-");
+    for (const std::string& words : {"check --explain " + file, "check " + file, std::string("--version"),
+                                     std::string("--help"), std::string("run --help"), std::string("help run"),
+                                     std::string("completion bash"), std::string("verify --list")}) {
+        const Outcome outcome = shell(program + " " + words + full);
+        INFO(words << full << ": " << outcome.err);
         CHECK(outcome.exit_code == 2);
         CHECK_THAT(outcome.err, Contains("standard output cannot be written"));
     }
@@ -106,8 +109,8 @@ TEST_CASE("the command prints only by what cannot fail") {
          std::filesystem::directory_iterator(std::filesystem::path(PELAGE_SOURCE) / "host" / "app")) {
         if (entry.path().stem() == "say") continue;
         const std::string text = read_all(entry.path());
-        for (const char* call :
-             {"fmt::print", "std::cout", "std::cerr", "std::clog", "fputs(", "printf(", "std::puts("}) {
+        for (const char* call : {"fmt::print", "std::cout", "std::cerr", "std::clog", "fputs(", "printf(", "std::puts(",
+                                 "fflush(stdout"}) {
             INFO(entry.path() << " has " << call << "; app/say.hpp prints");
             CHECK(text.find(call) == std::string::npos);
         }

@@ -91,6 +91,18 @@ TEST_CASE("a resumed run knows the states before it, and no later ones or those 
     }
 }
 
+TEST_CASE("a reel knows which pictures it can draw anew") {
+    const test::Folder folder;
+    const Experiment experiment = parse_experiment(lattice + "output U\n", "t.pex", "");
+    const Experiment own = parse_experiment(lattice + "output U range each\n", "t.pex", "");
+    Reel reel(folder.path(), experiment, "one", std::nullopt);
+    (void)reel.keep(as_its_iteration(experiment, 4));
+
+    CHECK(reel.can_redraw(4));
+    CHECK_FALSE(reel.can_redraw(5));
+    CHECK(Reel(folder.path(), own, "one", std::nullopt).can_redraw(5));
+}
+
 TEST_CASE("without an output that shares its range nothing is kept") {
     const test::Folder folder;
     const std::string own = "output U range 0 1\noutput V range each\noutput V normal 2\n";

@@ -258,3 +258,34 @@ TEST_CASE("option --fast and --no-cache are accepted on opencl, and --fast is in
     REQUIRE(outcome.exit_code == 0);
     CHECK(json_in(folder / "out" / "manifest.json").at("fast") == true);
 }
+
+TEST_CASE("pictures of a tissue that grows are in one scale, that of the last one") {
+    const Folder folder;
+    const std::string file = folder.write("growing.pex",
+                                          "define chemical U\nuse chemical U conc 1 dev 1\ncreate matrix 20 20\n"
+                                          "rule always expand columns 1 rows 1\nstop at 80\n");
+    REQUIRE(command({"run", file, "--backend", "reference", "--format", "png", "--snap-every", "40", "--quiet", "--out",
+                     folder / "out"})
+                .exit_code == 0);
+    // The header of a PNG: width and height in big-endian bytes from the 16th on.
+    const auto width = [&](const char* name) {
+        const std::string bytes = test::read_all(folder / "out" / name);
+        return 256 * static_cast<unsigned char>(bytes.at(18)) + static_cast<unsigned char>(bytes.at(19));
+    };
+    CHECK(width("0.png") == 4 * 20);
+    CHECK(width("40.png") == 4 * 60);
+    CHECK(width("final.png") == 4 * 100);
+}
+
+TEST_CASE("counts in the manifest are whole numbers") {
+    const Folder folder;
+    const std::string file = folder.write("cells.pex", "define chemical U\ncreate hex_circle 3\nstop at 10\n");
+    REQUIRE(command({"run", file, "--backend", "opencl", "--neighbours", "spatial-sorting", "--quiet", "--out",
+                     folder / "out"})
+                .exit_code == 0);
+    const nlohmann::json manifest = json_in(folder / "out" / "manifest.json");
+    for (const char* key : {"first_iteration", "neighbours_missed", "neighbours_exact"}) {
+        INFO(key);
+        CHECK(manifest.at(key).is_number_unsigned());
+    }
+}

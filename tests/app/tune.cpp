@@ -4,13 +4,16 @@
 
 #include "app/run_options.hpp"
 #include "app/trial_worker.hpp"
+#include "app/tune_table.hpp"
 
 #include <catch2/catch.hpp>
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
+#include <chrono>
 #include <csignal>
 #include <fstream>
+#include <thread>
 
 using Catch::Contains;
 using test::Child;
@@ -162,6 +165,79 @@ TEST_CASE("a candidate that hangs is ended and struck out") {
     INFO(outcome.out << outcome.err);
     REQUIRE(outcome.exit_code == 1);
     CHECK_THAT(outcome.out, Contains("hung: did not come to an end within 1 second"));
+}
+
+TEST_CASE("the limit of a candidate does not count its compilation") {
+    const Folder folder;
+    const std::string file = folder.write("spots.pex", test::spots);
+
+    const Outcome outcome = search(folder, file, {"--limit", "0.5", "--no-cache"});  // compiling takes longer
+
+    CHECK_THAT(outcome.out, !Contains("hung"));
+}
+
+TEST_CASE("tune says that it could keep nothing, and why") {
+    const Folder folder;
+    const std::string file = folder.write("spots.pex", test::spots);
+    Surroundings homeless;
+    homeless.environment["PELAGE_CACHE"] = "/proc/nowhere";
+
+    const Outcome without = command({"tune", file, "--quick"}, homeless);
+    const Outcome no_cache = command({"tune", file, "--quick", "--no-cache"}, remembering_in(folder));
+
+    INFO(without.out << no_cache.out);
+    CHECK_THAT(without.out, Contains("nothing could be kept: ") && Contains("/proc/nowhere"));
+    CHECK_THAT(no_cache.out, Contains("nothing could be kept: --no-cache"));
+    CHECK_THAT(without.out, !Contains("will take"));
+}
+
+TEST_CASE("what befell several candidates is told once") {
+    pelage::app::Tuning tuning;
+    for (const std::size_t depth : {8u, 16u}) {
+        pelage::tune::Trial trial;
+        trial.candidate.cut.depth = depth;
+        trial.verdict = pelage::tune::Verdict::hung;
+        trial.message = "did not come to an end within 2 seconds";
+        tuning.record.put(trial);
+    }
+
+    const std::string table = pelage::app::tuning_table(tuning, {});
+
+    CHECK_THAT(table, Contains("2 candidates hung: did not come to an end within 2 seconds\n"));
+    CHECK(table.find("did not come") == table.rfind("did not come"));
+}
+
+TEST_CASE("a long run says that it looks for a faster kernel before it does") {
+    const Folder folder;
+    const std::string file = folder.write("long.pex", long_run);
+    Child child({PELAGE_COMMAND, "run", file, "--backend", "opencl", "--iterations", "400000", "--no-self-test",
+                 "--out", folder / "out"},
+                remembering_in(folder));
+    REQUIRE(test::worker_of(child.id()) != 0);
+
+    child.signal(SIGTERM);
+    const Outcome outcome = child.wait();
+
+    INFO(outcome.err);
+    CHECK_THAT(outcome.err, Contains("tuning: a faster kernel is looked for, for 5 seconds at most"));
+    CHECK_THAT(outcome.err, !Contains("Assertion"));
+}
+
+TEST_CASE("a search that is ended takes its child with it, without a word") {
+    const Folder folder;
+    const std::string file = folder.write("spots.pex", test::spots);
+    Child child({PELAGE_COMMAND, "tune", file, "--no-cache"}, remembering_in(folder));
+    const pid_t worker = test::worker_of(child.id());
+    REQUIRE(worker != 0);
+    std::this_thread::sleep_for(std::chrono::milliseconds(700));  // it compiles
+
+    child.signal(SIGTERM);
+    const Outcome outcome = child.wait();
+    for (int i = 0; i < 1000 && kill(worker, 0) == 0; ++i) std::this_thread::sleep_for(std::chrono::milliseconds(5));
+
+    CHECK(outcome.exit_code == 128 + SIGTERM);
+    CHECK(kill(worker, 0) != 0);
+    CHECK(outcome.err.empty());
 }
 
 TEST_CASE("a process that ends without an answer is a crash") {

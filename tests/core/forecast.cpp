@@ -25,6 +25,8 @@ TEST_CASE("forecast: cells after expansions") {
     CHECK(final_cells(growing, 10) == 60);
     CHECK(final_cells(growing, 11) == 12 * 7);
     CHECK(final_cells(growing, 1000) == 18 * 10);
+    CHECK(final_size(growing, 1000)->columns == 18);
+    CHECK(final_size(growing, 1000)->rows == 10);
 }
 
 TEST_CASE("forecast: a set of rules ends where one of them ends or another begins for good") {
