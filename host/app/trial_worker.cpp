@@ -81,6 +81,14 @@ tune::Trial crash_of(const tune::Candidate& candidate, const std::string& how) {
     return trial;
 }
 
+// What a child says within that time; answers may come together.
+std::optional<std::string> heard(Worker& worker, double seconds) {
+    if (auto answer = worker.next()) return answer;
+    pollfd waiting{worker.output(), POLLIN, 0};
+    if (poll(&waiting, 1, 1 + static_cast<int>(1000 * seconds)) <= 0) return {};
+    return worker.take();
+}
+
 constexpr const char* is_running = "running";  // an answer before the answer
 
 }  // namespace
@@ -91,9 +99,7 @@ std::optional<tune::Trial> TrialWorker::try_out(const tune::Candidate& candidate
     Patience patience(*worker_, running, whole);
     worker_->ask(dumped(to_json(candidate)));
     for (double left = patience.left(); left > 0; left = patience.left()) {
-        pollfd waiting{worker_->output(), POLLIN, 0};
-        if (poll(&waiting, 1, 1 + static_cast<int>(1000 * std::min(left, often))) <= 0) continue;
-        const auto answer = worker_->take();
+        const auto answer = heard(*worker_, std::min(left, often));
         if (answer == is_running) {
             patience.is_running();
             worker_->is_busy();

@@ -129,7 +129,7 @@ void add_verify(CLI::App& app, int& exit_code) {
         app.add_subcommand("verify", "Check every kernel on a device against the reference, bit by bit");
     command->add_option("--device", options.device, "Index or part of the name, or `all`; see `pelage devices`")
         ->type_name("DEVICE");
-    command->add_flag("--quick", request->quick, "Each kernel path once, in half a minute or a few (default)");
+    command->add_flag("--quick", request->quick, "Each kernel path once, in half a minute to a few (default)");
     command->add_flag("--full", options.full, "Every case, in every shape of the work, in some minutes");
     command->add_flag("--small", options.small, "Smallest sizes alone, for simulators");
     command->add_option("--filter", options.filter, "Only checks with this in their name")->type_name("TEXT");

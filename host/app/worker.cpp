@@ -114,6 +114,10 @@ std::optional<std::string> Worker::take() {
         return {};
     }
     buffer_.append(piece.data(), static_cast<std::size_t>(count));
+    return next();
+}
+
+std::optional<std::string> Worker::next() {
     for (auto end = buffer_.find('\n'); end != std::string::npos; end = buffer_.find('\n')) {
         const std::string line = buffer_.substr(0, end);
         buffer_.erase(0, end + 1);

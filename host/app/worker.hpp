@@ -28,6 +28,7 @@ public:
 
     // To be called when output() can be read: the answer, or nothing yet. Sets ended() when the child is no more.
     std::optional<std::string> take();
+    std::optional<std::string> next();  // another answer that came with the one before
     void is_busy() { waits_ = false; }  // that answer was not the last one to what was asked
     bool ended() const { return ended_; }
 

@@ -150,7 +150,7 @@ TEST_CASE("a damaged entry of the cache is compiled again") {
     user.check_run();
     const std::vector<fs::path> entries = files_below(user.cache());
     REQUIRE(entries.size() >= 2);
-    for (const std::size_t first : {0, 1}) {
+    for (const std::size_t first : {0U, 1U}) {
         for (std::size_t i = 0; i < entries.size(); ++i) {
             const auto size = fs::file_size(entries[i]);
             if ((first + i) % 3 < 2) {

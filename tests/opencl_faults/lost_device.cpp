@@ -6,7 +6,9 @@
 #include <fmt/format.h>
 #include <catch2/catch.hpp>
 
+#include <new>
 #include <regex>
+#include <string>
 
 using Catch::Contains;
 using test::Ending;
@@ -47,7 +49,33 @@ std::pair<int, int> run_with_little_memory(Stage& stage, std::size_t all) {
     return {recovered, refused};
 }
 
+// How often `new` was said to have failed, and the latest call of the driver when it first was.
+int wanting = 0;
+std::string last_call;
+
+void note_want() {
+    if (wanting++ == 0) last_call = Faults::layer().calls().back().name;
+}
+
 }  // namespace
+
+TEST_CASE("a compiler without memory is told to the process before any other call of the driver") {
+    Faults& layer = Faults::layer();
+    layer.reset();
+    Stage stage(Stage::Play::lattice);
+    layer.fail("clBuildProgram", 0, CL_OUT_OF_HOST_MEMORY);
+    wanting = 0;
+    const std::new_handler before = std::set_new_handler(note_want);
+
+    const Ending ending = stage.run();
+
+    std::set_new_handler(before);
+    layer.reset();
+    CHECK_FALSE(ending.finished);
+    CHECK_THAT(ending.error, Contains("CL_OUT_OF_HOST_MEMORY"));
+    CHECK(wanting == 1);
+    CHECK(last_call == "clBuildProgram");
+}
 
 TEST_CASE("a device that disappears ends a run with one sentence, and leaves whole files") {
     Faults& layer = Faults::layer();
