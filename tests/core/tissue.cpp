@@ -133,7 +133,7 @@ TEST_CASE("write refuses a state of another shape") {
 
     state.conc[1].pop_back();
 
-    CHECK_THROWS_WITH(tissue.write(state), Contains("concentration has 5 entries; the experiment needs 6"));
+    CHECK_THROWS_WITH(tissue.write(state), Contains("conc has 5 entries; the experiment needs 6"));
 }
 
 TEST_CASE("a run cannot pass the last iteration that the random counter can hold") {
