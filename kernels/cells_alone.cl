@@ -7,6 +7,7 @@ __kernel void pelage_cells_step(int n, int pitch, PELAGE_CELLS(const, _old), PEL
                                 __global const int* restrict lists, int capacity, __global const int* restrict longest,
                                 scalar half_width, scalar half_height, __global uint* restrict divides,
                                 __global scalar* restrict degrees, scalar longest_way,
+                                __global const scalar* parameters,
                                 __global struct pelage_progress* restrict progress, int step, uint iteration) {
     const int first = (int)get_global_id(0) * PELAGE_WIDTH;
     if (first >= n) return;
@@ -18,7 +19,7 @@ __kernel void pelage_cells_step(int n, int pitch, PELAGE_CELLS(const, _old), PEL
     mask strayed;
     const int children = pelage_cells_advance(first, n, pitch, PELAGE_THESE(_old), PELAGE_THESE(_new), built, lengths,
                                               lists, capacity, half_width, half_height, divides, degrees, longest_way,
-                                              iteration, &strayed);
+                                              parameters, iteration, &strayed);
     if (ANY(strayed)) progress[step].moved = 1;
     if (children > 0) atomic_add(&progress[step].children, children);
 }

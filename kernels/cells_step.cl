@@ -76,7 +76,8 @@ static inline int pelage_cells_advance(int first, int n, int pitch, PELAGE_CELL_
                                        PELAGE_CELL_ARRAYS(, _new, ), __global const scalar* built,
                                        __global const int* lengths, __global const int* lists, int capacity,
                                        scalar half_width, scalar half_height, __global uint* divides,
-                                       __global scalar* degrees, scalar longest_way, uint iteration, mask* strayed) {
+                                       __global scalar* degrees, scalar longest_way,
+                                       __global const scalar* parameters, uint iteration, mask* strayed) {
     const real x = LOAD(position_old + first);
     const real y = LOAD(position_old + pitch + first);
     const intv self = (intv)(first) + AS_INTV(LANES);

@@ -145,7 +145,8 @@ __kernel void pelage_cells_together(int n, int pitch, int room, PELAGE_CELL_ARRA
                                     PELAGE_CELL_ARRAYS(, _b, ), __global scalar* built, __global int* lengths,
                                     __global int* lists, int capacity, __global int* longest, scalar half_width,
                                     scalar half_height, scalar area, __global uint* divides, __global scalar* degrees,
-                                    __global int* place_of, scalar longest_way, scalar square, int chemicals,
+                                    __global int* place_of, scalar longest_way, __global const scalar* parameters,
+                                    scalar square, int chemicals,
                                     int mappings, __global const int2* pairs, __global const int* rounds,
                                     int round_count, __global int* marks, __global int* sums, __global int* report,
                                     int iterations, uint iteration) {
@@ -170,7 +171,7 @@ __kernel void pelage_cells_together(int n, int pitch, int room, PELAGE_CELL_ARRA
             mask strayed;
             const int asked = pelage_cells_advance(first, n, pitch, PELAGE_ALL_OF(now), PELAGE_ALL_OF(next), built,
                                                    lengths, lists, capacity, half_width, half_height, divides, degrees,
-                                                   longest_way, iteration + (uint)done, &strayed);
+                                                   longest_way, parameters, iteration + (uint)done, &strayed);
             if (ANY(strayed)) pelage_strays_add(&strays, stray_counts + turn, first, strayed);
             if (asked > 0) atomic_add(child_counts + turn, asked);
         }

@@ -108,6 +108,9 @@ PELAGE_LOOSE(intv, int)
 // A number in every lane; x is a scalar.
 #define R(x) ((real)(x))
 
+// A whole number of the buffer `parameters`, in which every number takes the room of a scalar.
+#define PARAMETER_WORD(place) (((const global uint*)parameters)[(place) * (sizeof(scalar) / sizeof(uint))])
+
 // Per lane: where the mask holds a, else b.
 #define SELECT(m, a, b) ((m) ? (a) : (b))
 

@@ -167,8 +167,8 @@ std::uint64_t OpenclCells::leap(std::uint64_t first, std::uint64_t most) {
     CellsStep& step = programs_->at(first, until, CellsForm::together);
     if (!fresh_) lists_.build(state_);
     state_.poison_spare([&](CellArray array) { return changes(step.written, array); });
-    const CellsTogether::Way way = together_.run(step, programs_->width(), state_, lists_, mirrors_,
-                                                 experiment().domain, first, std::min(most, until - first));
+    const CellsTogether::Way way = together_.run(step, programs_->parameters(), programs_->width(), state_, lists_,
+                                                 mirrors_, experiment().domain, first, std::min(most, until - first));
     if (way.done == 0) {
         lengthen();
         return 0;
@@ -252,7 +252,8 @@ cl_uint OpenclCells::bind(cl::Kernel& kernel, const CellsWritten& written, bool 
     }
     const DeviceLists& lists = lists_.lists();
     arguments.add(state_.built(), lists.lengths, lists.entries, lists.capacity, lists.longest, Scalar{half_width},
-                  Scalar{half_height}, state_.divides(), state_.degrees(), Scalar{lists_.longest_way()}, progress_);
+                  Scalar{half_height}, state_.divides(), state_.degrees(), Scalar{lists_.longest_way()},
+                  programs_->parameters(), progress_);
     return arguments.next();
 }
 

@@ -40,6 +40,7 @@ CellsStep& CellsPrograms::at(std::uint64_t iteration, std::uint64_t& until, Cell
     const bool brief = until - iteration < shortest_stretch;
     if (brief) active = active_soon(experiment_, iteration, until);
     const Phase& phase = experiment_.phase_at(iteration);
+    upload(phase);
     const auto place = static_cast<std::size_t>(&phase - experiment_.phases.data());
     const Key key{form, place, brief, active};
     const auto known = steps_.find(key);
@@ -50,6 +51,17 @@ CellsStep& CellsPrograms::at(std::uint64_t iteration, std::uint64_t& until, Cell
     const char* name = form == CellsForm::alone ? "pelage_cells_step" : "pelage_cells_together";
     CellsStep step{cl::Kernel(program, name), cl::Kernel(program, name), source.written};
     return steps_.emplace(key, std::move(step)).first->second;
+}
+
+void CellsPrograms::upload(const Phase& phase) {
+    if (uploaded_ == &phase) return;
+    const Precision precision = session_.options().precision;
+    const std::vector<std::uint32_t> words =
+        parameter_words(cells_parameters(experiment_, phase, precision), precision);
+    const std::size_t bytes = words.size() * sizeof words[0];
+    if (uploaded_ == nullptr) parameters_ = session_.buffer(bytes, "parameters");
+    session_.queue().enqueueWriteBuffer(parameters_, CL_TRUE, 0, bytes, words.data());
+    uploaded_ = &phase;
 }
 
 }  // namespace pelage

@@ -28,6 +28,8 @@ public:
     // The step for that iteration and all after it below `until`.
     CellsStep& at(std::uint64_t iteration, std::uint64_t& until, CellsForm);
 
+    const cl::Buffer& parameters() const { return parameters_; }  // of the step that was asked for last
+
 private:
     const Session& session_;
     const Experiment& experiment_;
@@ -35,6 +37,10 @@ private:
     std::size_t width_;
     using Key = std::tuple<CellsForm, std::size_t, bool, std::vector<bool>>;  // phase, tests of intervals, rules
     std::map<Key, CellsStep> steps_;
+    void upload(const Phase&);
+
+    cl::Buffer parameters_;
+    const Phase* uploaded_ = nullptr;  // whose numbers the buffer holds
 };
 
 }  // namespace pelage

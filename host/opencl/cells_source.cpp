@@ -32,6 +32,11 @@ RateKind rate_kind(const Experiment& experiment, const std::vector<double>& rate
     return first == 0.0 && std::ranges::none_of(experiment.phases, sets) ? RateKind::none : RateKind::uniform;
 }
 
+// Places in the buffer of parameters; after them floor and limit of each chemical, then the numbers of rules.
+enum Place : std::size_t { seed_low_place, seed_high_place, dt_place, division_limit_place, bounds_place };
+
+std::size_t rules_place(const Experiment& experiment) { return bounds_place + 2 * experiment.chemicals.size(); }
+
 // Puts together the texts that fill the kernel.
 class StepEmitter {
 public:
@@ -46,16 +51,16 @@ public:
     const CellsWritten& written() const { return written_; }
 
     std::string load() {
-        const auto seed = static_cast<std::uint64_t>(experiment_.run_seed());
-        line("const uint seed_low = {}u;", seed & 0xffffffffu);
-        line("const uint seed_high = {}u;", seed >> 32);
-        line("const real dt = {};", number(phase_.time_step));
+        line("const uint seed_low = PARAMETER_WORD({});", std::size_t{seed_low_place});
+        line("const uint seed_high = PARAMETER_WORD({});", std::size_t{seed_high_place});
+        line("const real dt = {};", parameter(dt_place));
+        text_ += rules_.numbers.declarations(rules_place(experiment_));
         if (rules_.use.random) line("const uintv id = AS_UINTV(LOAD(id_old + first));");
         if (experiment_.division_limit == 0) {
             line("const mask may_divide = ALL_TRUE;");
         } else {
-            const std::size_t limit = std::min<std::size_t>(experiment_.division_limit, largest_cell_count);
-            line("const mask may_divide = TO_MASK(LOAD(neighbours_old + first) <= {});", limit);
+            line("const mask may_divide = TO_MASK(LOAD(neighbours_old + first) <= (intv)((int)PARAMETER_WORD({})));",
+                 std::size_t{division_limit_place});
         }
         for (std::size_t i = 0; i < chemicals(); ++i) {
             line("const real c{0} = LOAD(conc_old + {0}L * pitch + first);", i);
@@ -121,6 +126,7 @@ private:
 
     std::string take() { return std::exchange(text_, ""); }
     std::string number(double value) const { return emit_number(value, precision_); }
+    std::string parameter(std::size_t place) const { return fmt::format("R(parameters[{}])", place); }
     std::size_t chemicals() const { return experiment_.chemicals.size(); }
     bool diffuses(std::size_t i) const { return plan_.rates[i] != RateKind::none; }
     bool anisotropic(std::size_t i) const { return diffuses(i) && experiment_.chemicals[i].anisotropic; }
@@ -168,11 +174,11 @@ private:
 
     void bound(std::size_t i) {
         const Bounds& bounds = phase_.bounds[i];
+        const std::string floor = parameter(bounds_place + 2 * i);
+        const std::string limit = parameter(bounds_place + 2 * i + 1);
         std::string value = fmt::format("n{}", i);
-        if (!std::isinf(bounds.limit))
-            value = fmt::format("SELECT(n{0} > {1}, {1}, {2})", i, number(bounds.limit), value);
-        if (!std::isinf(bounds.floor))
-            value = fmt::format("SELECT(n{0} < {1}, {1}, {2})", i, number(bounds.floor), value);
+        if (!std::isinf(bounds.limit)) value = fmt::format("SELECT(n{0} > {1}, {1}, {2})", i, limit, value);
+        if (!std::isinf(bounds.floor)) value = fmt::format("SELECT(n{0} < {1}, {1}, {2})", i, floor, value);
         line("n{} = {};", i, value);
     }
 
@@ -227,6 +233,20 @@ bool changes(const CellsWritten& written, CellArray array) {
         default:
             return false;
     }
+}
+
+std::vector<Parameter> cells_parameters(const Experiment& experiment, const Phase& phase, Precision precision) {
+    const auto seed = static_cast<std::uint64_t>(experiment.run_seed());
+    std::vector<Parameter> values(bounds_place, 0.0);
+    values[seed_low_place] = static_cast<std::uint32_t>(seed);
+    values[seed_high_place] = static_cast<std::uint32_t>(seed >> 32);
+    values[dt_place] = phase.time_step;
+    values[division_limit_place] =
+        static_cast<std::uint32_t>(std::min<std::size_t>(experiment.division_limit, largest_cell_count));
+    for (const Bounds& bounds : phase.bounds) values.insert(values.end(), {bounds.floor, bounds.limit});
+    const std::vector<Parameter> of_rules = rule_parameters(experiment, precision);
+    values.insert(values.end(), of_rules.begin(), of_rules.end());
+    return values;
 }
 
 CellsSource cells_step_source(const Experiment& experiment, const std::vector<bool>& active, bool test_intervals,

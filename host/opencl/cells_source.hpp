@@ -6,6 +6,7 @@
 #include "core/snapshot.hpp"
 #include "core/tissue.hpp"
 #include "opencl/cells_state.hpp"
+#include "opencl/numbers.hpp"
 
 #include <cstddef>
 #include <string>
@@ -39,10 +40,13 @@ struct CellsSource {
     CellsWritten written;
 };
 
+// What a step reads from its buffer of parameters: the seed, the phase's time step and bounds, the numbers of rules.
+std::vector<Parameter> cells_parameters(const Experiment&, const Phase&, Precision);
+
 enum class CellsForm { alone, together };  // one iteration a launch; many of a small tissue
 
-// The rules in `active` act; with `test_intervals` only where their intervals say so. `phase` gives time step and
-// bounds. `width`: cells a work-item handles side by side.
+// The rules in `active` act; with `test_intervals` only where their intervals say so. `phase` says which chemicals
+// are bounded. `width`: cells a work-item handles side by side.
 CellsSource cells_step_source(const Experiment&, const std::vector<bool>& active, bool test_intervals, const Phase&,
                               const CellsPlan&, Precision, std::size_t width, CellsForm);
 

@@ -49,9 +49,9 @@ std::size_t CellsTogether::longest_launch(std::size_t width, const CellsState& s
     return std::max<std::size_t>(1, turns_a_launch / turns);
 }
 
-CellsTogether::Way CellsTogether::run(CellsStep& step, std::size_t width, CellsState& state, const CellsLists& lists,
-                                      const CellMirrors& mirrors, const Domain& domain, std::uint64_t first,
-                                      std::uint64_t most) {
+CellsTogether::Way CellsTogether::run(CellsStep& step, const cl::Buffer& parameters, std::size_t width,
+                                      CellsState& state, const CellsLists& lists, const CellMirrors& mirrors,
+                                      const Domain& domain, std::uint64_t first, std::uint64_t most) {
     const auto pitch = static_cast<std::size_t>(state.pitch());
     if (marked_ != pitch) {
         marks_ = session_.buffer(pitch * sizeof(cl_int), "marks of strayed cells");
@@ -70,7 +70,7 @@ CellsTogether::Way CellsTogether::run(CellsStep& step, std::size_t width, CellsS
     const DeviceLists& found = lists.lists();
     arguments.add(state.built(), found.lengths, found.entries, found.capacity, found.longest, Scalar{domain.width / 2},
                   Scalar{domain.height / 2}, Scalar{domain.packed ? domain.area : 0.0}, state.divides(),
-                  state.degrees(), state.place_of(), Scalar{lists.longest_way()}, Scalar{lists.square()},
+                  state.degrees(), state.place_of(), Scalar{lists.longest_way()}, parameters, Scalar{lists.square()},
                   state.chemicals(), state.mappings(), mirrors.sorted(), mirrors.starts(), mirrors.rounds(), marks_,
                   sums_, report_, static_cast<cl_int>(count), static_cast<cl_uint>(first));
     launch(session_, step.there, group(), group());

@@ -31,8 +31,8 @@ public:
 
     // Carries out iterations first .. first + most - 1, or fewer, from and to the arrays that hold the state. Lists
     // must hold for it.
-    Way run(CellsStep&, std::size_t width, CellsState&, const CellsLists&, const CellMirrors&, const Domain&,
-            std::uint64_t first, std::uint64_t most);
+    Way run(CellsStep&, const cl::Buffer& parameters, std::size_t width, CellsState&, const CellsLists&,
+            const CellMirrors&, const Domain&, std::uint64_t first, std::uint64_t most);
 
 private:
     std::size_t group() const;

@@ -67,7 +67,7 @@ public:
 
     // Of kernels/lattice_tile.cl.
     std::map<std::string, std::string> fills(const RuleText& text) const {
-        return {{"parameters", emit_parameters(plan_, bounded_)},
+        return {{"parameters", emit_parameters(plan_, bounded_, text.numbers)},
                 {"planes", planes()},
                 {"fetch", fetch()},
                 {"resume", resume()},
@@ -245,9 +245,9 @@ private:
         return text;
     }
 
-    // Long rows would only make compilation slow.
+    // Long rows would only make compilation slow. A number counts as what it would be in full.
     std::string unroll(const RuleText& text) const {
-        return text.rules.size() < 1000 && !traits_.visits() ? "#pragma unroll\n" : "";
+        return text.rules.size() + 14 * text.numbers.declared() < 1000 && !traits_.visits() ? "#pragma unroll\n" : "";
     }
 
     std::string diffusion() const {

@@ -57,7 +57,7 @@ public:
           rate_planes_(rate_planes(plan)) {}
 
     std::map<std::string, std::string> fills(const RuleText& text) const {
-        return {{"parameters", emit_parameters(plan_, bounded_)},
+        return {{"parameters", emit_parameters(plan_, bounded_, text.numbers)},
                 {"planes", planes()},
                 {"start", start()},
                 {"cell", cell()},
@@ -199,7 +199,7 @@ std::string lattice_settings(const LatticePlan& plan, std::size_t width) {
     return text;
 }
 
-std::string emit_parameters(const LatticePlan& plan, const std::vector<bool>& bounded) {
+std::string emit_parameters(const LatticePlan& plan, const std::vector<bool>& bounded, const Numbers& numbers) {
     std::string text;
     for (std::size_t i = 0; i < plan.rates.size(); ++i) {
         const auto read = [&](const char* name, LatticeParameter what) {
@@ -213,7 +213,7 @@ std::string emit_parameters(const LatticePlan& plan, const std::vector<bool>& bo
             read("share", LatticeParameter::share);
         }
     }
-    return text;
+    return text + numbers.declarations(parameter_place(plan.rates.size(), LatticeParameter::floor));
 }
 
 std::vector<bool> bounded_chemicals(const Experiment& experiment) {

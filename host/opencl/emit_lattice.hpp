@@ -12,7 +12,8 @@
 
 namespace pelage {
 
-// Numbers that the step reads from its buffer of parameters: dt, then for each chemical these four.
+// Numbers that the step reads from its buffer of parameters: dt, then for each chemical these four, then those of
+// rules.
 enum class LatticeParameter { floor, limit, rate, share };  // share: rate * dt / divisor of the stencil
 inline std::size_t parameter_place(std::size_t chemical, LatticeParameter what) {
     return 1 + 4 * chemical + static_cast<std::size_t>(what);
@@ -35,8 +36,8 @@ std::string neighbours_text(const std::string& visit);
 // The defines that every program of a lattice begins with. `width`: see PELAGE_WIDTH.
 std::string lattice_settings(const LatticePlan&, std::size_t width);
 
-// Declares floor<i>, limit<i>, r<i> and share<i> where a kernel has use for them.
-std::string emit_parameters(const LatticePlan&, const std::vector<bool>& bounded);
+// Declares floor<i>, limit<i>, r<i> and share<i> where a kernel has use for them, and the numbers of rules.
+std::string emit_parameters(const LatticePlan&, const std::vector<bool>& bounded, const Numbers& of_rules);
 
 // `bounded`: chemicals that have a finite bound in some phase. `width`: see PELAGE_WIDTH. `together`: see
 // kernels/lattice_together.cl. `means`: see kernels/lattice_means.cl.

@@ -44,7 +44,7 @@ std::string OperandEmitter::text(const Operand& operand) {
     if (is_whole(operand.quantity)) return fmt::format("TO_REAL({})", whole(operand));
     switch (operand.quantity) {
         case Quantity::number:
-            return emit_number(operand.value, precision_);
+            return numbers_.real(operand.value);
         case Quantity::x:
             use_.quantities.insert(operand.quantity);
             return "GET_X";

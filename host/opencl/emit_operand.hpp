@@ -13,7 +13,7 @@ namespace pelage {
 // Operands must be asked for in the order in which RANDOM is counted: condition first, then the action's.
 class OperandEmitter {
 public:
-    OperandEmitter(std::size_t rule, Precision precision) : rule_(rule), precision_(precision) {}
+    OperandEmitter(std::size_t rule, Numbers& numbers) : rule_(rule), numbers_(numbers) {}
 
     std::string text(const Operand&);   // of type real
     std::string whole(const Operand&);  // of type uintv; for is_whole() quantities
@@ -31,7 +31,7 @@ private:
     void need(std::uint32_t purpose);
 
     std::size_t rule_;
-    Precision precision_;
+    Numbers& numbers_;
     std::uint32_t randoms_ = 0;
     std::set<std::uint32_t> declared_;
     std::string pending_;

@@ -23,26 +23,51 @@ std::string kernel_name(Model model) {
     return name;
 }
 
-// True at the iterations at which the rule acts, as Rule::active(); values past 32 bits never come.
-std::string interval(const Rule& rule) {
+// The iterations at which a rule acts, as Rule::active(), in numbers of 32 bits: from `low` to `high`, each `every`th
+// from `low` of the first cycle on. Values past 32 bits never come.
+struct Interval {
+    std::uint32_t low = 1, high = 0;  // never
+    std::uint32_t first = 0;
+    std::uint32_t every = 1;
+};
+
+Interval interval_of(const Rule& rule) {
     const auto past = [](std::uint64_t value) { return value > largest_iteration; };
     if (rule.offset > largest_iteration - std::min<std::uint64_t>(rule.origin, largest_iteration) ||
         past(rule.origin) || past(rule.from)) {
-        return "0";
+        return {};
     }
     const std::uint64_t first = rule.origin + rule.offset;
-    std::string text = fmt::format("iteration >= {}u", std::max(rule.from, first));
-    if (!past(rule.until)) text += fmt::format(" && iteration <= {}u", rule.until);
-    if (past(rule.every)) return text + fmt::format(" && iteration == {}u", first);
-    if (rule.every > 1) text += fmt::format(" && (iteration - {}u) % {}u == 0", first, rule.every);
-    return text;
+    const bool once = past(rule.every);
+    const std::uint64_t until = std::min<std::uint64_t>(rule.until, once ? first : largest_iteration);
+    return {static_cast<std::uint32_t>(std::max(rule.from, first)), static_cast<std::uint32_t>(until),
+            static_cast<std::uint32_t>(first),
+            once ? 1u : static_cast<std::uint32_t>(std::max<std::uint64_t>(rule.every, 1))};
+}
+
+// True at these iterations.
+std::string interval(const Rule& rule, Numbers& numbers) {
+    const Interval when = interval_of(rule);
+    const std::string low = numbers.word(when.low);
+    const std::string high = numbers.word(when.high);
+    const std::string first = numbers.word(when.first);
+    const std::string every = numbers.word(when.every);
+    const std::string text = fmt::format("iteration >= {} && iteration <= {}", low, high);
+    return rule.every > 1 ? fmt::format("{} && (iteration - {}) % {} == 0", text, first, every) : text;
 }
 
 // Emits one rule: its condition as mask t<place>, then its action. Pieces go to `out`.
 class RuleEmitter {
 public:
-    RuleEmitter(RuleText& out, const Rule& rule, std::size_t place, std::size_t divide, Precision precision)
-        : out_(out), rule_(rule), place_(place), divide_(divide), precision_(precision), operands_(place, precision) {}
+    RuleEmitter(RuleText& out, Numbers& numbers, const Rule& rule, std::size_t place, std::size_t divide,
+                Precision precision)
+        : out_(out),
+          numbers_(numbers),
+          rule_(rule),
+          place_(place),
+          divide_(divide),
+          precision_(precision),
+          operands_(place, numbers) {}
 
     // `handed`: mask of the `and` rule before, or empty. `interval`: when to act, or empty for always.
     void emit(const std::string& handed, const std::string& interval_test) {
@@ -51,7 +76,7 @@ public:
         if (!interval_test.empty()) condition = join(fmt::format("UNIFORM({})", interval_test), condition);
         if (!handed.empty()) condition = join(handed, condition);
         always_ = condition.empty();
-        line(fmt::format("// rule {}{}", place_, rule_.line == 0 ? "" : fmt::format(", line {}", rule_.line)));
+        line(fmt::format("// rule {}", place_));
         out_.rules += draws;
         line(fmt::format("const mask t{} = {};", place_, always_ ? "ALL_TRUE" : condition));
         std::visit([&](const auto& action) { act(action); }, rule_.action);
@@ -73,7 +98,7 @@ private:
                      : fmt::format("{} = SELECT({}, {}, {});", target, truth(), value, target));
     }
 
-    std::string number(double value) const { return emit_number(value, precision_); }
+    std::string number(double value) { return numbers_.real(value); }
 
     std::string test(const Always&) { return ""; }
     std::string test(const Compare& c) {
@@ -93,9 +118,10 @@ private:
     }
 
     std::string exactly(const Operand& left, Comparison comparison, const Operand& right) {
-        if (right.quantity == Quantity::number) return emit_whole_test(operands_.whole(left), comparison, right.value);
+        if (right.quantity == Quantity::number)
+            return emit_whole_test(operands_.whole(left), comparison, right.value, numbers_);
         if (left.quantity == Quantity::number)
-            return emit_whole_test(operands_.whole(right), exchanged(comparison), left.value);
+            return emit_whole_test(operands_.whole(right), exchanged(comparison), left.value, numbers_);
         const std::string whole = operands_.whole(left);
         return fmt::format("TO_MASK({} {} {})", whole, symbol(comparison), operands_.whole(right));
     }
@@ -199,6 +225,7 @@ private:
     void act(const Expand&) {}
 
     RuleText& out_;
+    Numbers& numbers_;
     const Rule& rule_;
     std::size_t place_;
     std::size_t divide_;
@@ -248,11 +275,20 @@ RuleText emit_rules(const Experiment& experiment, const std::vector<bool>& activ
         const bool conjunction = std::holds_alternative<And>(rule.action);
         const std::string given = std::exchange(handed, "");
         if (conjunction) handed = active[place] && given != "ALL_FALSE" ? fmt::format("t{}", place) : "ALL_FALSE";
-        if (!active[place] || given == "ALL_FALSE" || std::holds_alternative<Expand>(rule.action)) continue;
-        RuleEmitter(text, rule, place, divide, precision).emit(given, test_intervals ? interval(rule) : "");
+        const bool acts = active[place] && given != "ALL_FALSE" && !std::holds_alternative<Expand>(rule.action);
+        RuleText left_out;  // whose numbers are counted all the same
+        text.numbers.declare(acts && test_intervals);
+        const std::string when = interval(rule, text.numbers);
+        text.numbers.declare(acts);
+        RuleEmitter(acts ? text : left_out, text.numbers, rule, place, divide, precision)
+            .emit(given, test_intervals ? when : "");
     }
     frame(text, experiment, active);
     return text;
+}
+
+std::vector<Parameter> rule_parameters(const Experiment& experiment, Precision precision) {
+    return emit_rules(experiment, std::vector<bool>(experiment.rules.size()), precision).numbers.values();
 }
 
 std::vector<std::string> model_files(const RuleUse& use) {

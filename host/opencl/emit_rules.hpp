@@ -6,6 +6,7 @@
 //   real m0, m1, ...            mappings of the cell, loaded before and stored after `rules`; where used
 //   const real px, py           old polarity, where RuleUse::polarity
 //   const real dt               time step
+//   numbers.declarations() of the RuleText
 //   const uintv id; const uint iteration, seed_low, seed_high          where RuleUse::random (iteration: always)
 //   and as macros, where RuleUse::quantities says so, of type real:  GET_X  GET_Y
 //   and of type uintv:  WHOLE_NEIGHBOURS  WHOLE_AGE  WHOLE_BIRTH  WHOLE_ROW  WHOLE_COLUMN  WHOLE_ROWS  WHOLE_COLUMNS
@@ -21,6 +22,7 @@
 
 #include "core/experiment.hpp"
 #include "core/tissue.hpp"
+#include "opencl/numbers.hpp"
 
 #include <set>
 #include <string>
@@ -50,11 +52,15 @@ struct RuleText {
     std::string rules;    // declarations included; `set` and clamping of rates too
     std::string replace;  // after diffusion, before the bounds: `set` of concentrations
     RuleUse use;
+    Numbers numbers;  // those of all rules; declared are those of the rules that are not left out
 };
 
 // Rules that are not active are left out; `expand` rules always. With `test_intervals` the kernel itself tests
 // whether each of the rules in `active` acts at `iteration`, so that one program fits all iterations.
 RuleText emit_rules(const Experiment&, const std::vector<bool>& active, Precision, bool test_intervals = false);
+
+// The numbers of the rules alone.
+std::vector<Parameter> rule_parameters(const Experiment&, Precision);
 
 // A number as written in OpenCL C, exactly: "R(0x1.8p+0f)".
 std::string emit_number(double value, Precision);

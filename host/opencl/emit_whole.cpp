@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstdint>
 #include <limits>
@@ -13,12 +14,15 @@ namespace {
 
 constexpr double largest = std::numeric_limits<std::uint32_t>::max();
 
-std::string constant(bool truth) { return truth ? "ALL_TRUE" : "ALL_FALSE"; }
+constexpr WholeRange none{1, 0, true};
 
-// `limit` is a whole number.
-std::string test(const std::string& whole, Comparison comparison, double limit) {
-    return fmt::format("TO_MASK({} {} W({}u))", whole, symbol(comparison), static_cast<std::uint32_t>(limit));
+// Up to the largest whole number that is not above `limit`.
+WholeRange up_to(double limit) {
+    if (limit < 0.0) return none;
+    return {0, static_cast<std::uint32_t>(std::min(limit, largest)), true};
 }
+
+WholeRange others(WholeRange range) { return {range.low, range.high, false}; }
 
 }  // namespace
 
@@ -55,29 +59,33 @@ Comparison exchanged(Comparison comparison) {
     }
 }
 
-std::string emit_whole_test(const std::string& whole, Comparison comparison, double number) {
+WholeRange whole_range(Comparison comparison, double number) {
     const double below = std::floor(number);
     const double above = std::ceil(number);
+    const bool whole = below == above && below >= 0.0 && below <= largest;
+    const auto exactly = static_cast<std::uint32_t>(whole ? below : 0.0);
     switch (comparison) {
         case Comparison::equal:
-        case Comparison::not_equal: {
-            const bool possible = below == above && below >= 0.0 && below <= largest;
-            return possible ? test(whole, comparison, below) : constant(comparison == Comparison::not_equal);
-        }
+            return whole ? WholeRange{exactly, exactly, true} : none;
+        case Comparison::not_equal:
+            return others(whole_range(Comparison::equal, number));
         case Comparison::less:
-        case Comparison::greater_equal: {  // of w and number as of w and the next whole number above it
-            if (above <= 0.0) return constant(comparison == Comparison::greater_equal);
-            if (above > largest) return constant(comparison == Comparison::less);
-            return test(whole, comparison, above);
-        }
+            return up_to(above - 1.0);
+        case Comparison::greater_equal:
+            return others(up_to(above - 1.0));
         case Comparison::less_equal:
-        case Comparison::greater: {
-            if (below < 0.0) return constant(comparison == Comparison::greater);
-            if (below >= largest) return constant(comparison == Comparison::less_equal);
-            return test(whole, comparison, below);
-        }
+            return up_to(below);
+        case Comparison::greater:
+            return others(up_to(below));
     }
-    return constant(false);
+    return none;
+}
+
+std::string emit_whole_test(const std::string& whole, Comparison comparison, double number, Numbers& numbers) {
+    const WholeRange range = whole_range(comparison, number);
+    const std::string low = numbers.word(range.low);
+    const std::string high = numbers.word(range.high);
+    return fmt::format("{0}TO_MASK(({1} >= W({2})) & ({1} <= W({3})))", range.inside ? "" : "!", whole, low, high);
 }
 
 }  // namespace pelage

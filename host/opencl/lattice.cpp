@@ -24,11 +24,12 @@ namespace pelage {
 
 namespace {
 
+// In the order of LatticeParameter.
 template <class T>
-void put_parameters(std::vector<double>& values, const Experiment& experiment, const LatticePlan& plan,
-                    const LatticeState& state, const Phase& phase) {
+std::vector<Parameter> phase_parameters(const Experiment& experiment, const LatticePlan& plan,
+                                        const LatticeState& state, const Phase& phase) {
     const T dt = in_precision<T>(phase.time_step);
-    values[0] = double{dt};
+    std::vector<Parameter> values(parameter_place(experiment.chemicals.size(), LatticeParameter::floor), double{dt});
     for (std::size_t i = 0; i < experiment.chemicals.size(); ++i) {
         const auto put = [&](LatticeParameter what, T value) { values[parameter_place(i, what)] = double{value}; };
         const T rate = in_precision<T>(state.uniform_rate(i));
@@ -37,6 +38,7 @@ void put_parameters(std::vector<double>& values, const Experiment& experiment, c
         put(LatticeParameter::rate, rate);
         put(LatticeParameter::share, (rate * dt) / static_cast<T>(stencil_divisor(plan.stencil)));
     }
+    return values;
 }
 
 class OpenclLattice final : public Tissue {
@@ -199,23 +201,21 @@ private:
     }
 
     void upload_parameters(const Phase& phase) {
-        std::vector<double> values(parameter_place(experiment().chemicals.size(), LatticeParameter::floor));
+        const Precision precision = session_->options().precision;
+        std::vector<Parameter> values;
         if (session_->is_double()) {
-            put_parameters<double>(values, experiment(), plan_, *state_, phase);
+            values = phase_parameters<double>(experiment(), plan_, *state_, phase);
         } else {
             const SubnormalsAreZero scope;
-            put_parameters<float>(values, experiment(), plan_, *state_, phase);
+            values = phase_parameters<float>(experiment(), plan_, *state_, phase);
         }
-        if (values == parameter_values_) return;
-        if (parameters_() == nullptr)
-            parameters_ = session_->buffer(values.size() * session_->scalar_bytes(), "parameters");
-        if (session_->is_double()) {
-            session_->queue().enqueueWriteBuffer(parameters_, CL_TRUE, 0, values.size() * 8, values.data());
-        } else {
-            const std::vector<float> rounded(values.begin(), values.end());
-            session_->queue().enqueueWriteBuffer(parameters_, CL_TRUE, 0, rounded.size() * 4, rounded.data());
-        }
-        parameter_values_ = values;
+        if (rule_parameters_.empty()) rule_parameters_ = rule_parameters(experiment(), precision);
+        values.insert(values.end(), rule_parameters_.begin(), rule_parameters_.end());
+        const std::vector<std::uint32_t> words = parameter_words(values, precision);
+        if (words == parameter_words_) return;
+        if (parameters_() == nullptr) parameters_ = session_->buffer(words.size() * sizeof words[0], "parameters");
+        session_->queue().enqueueWriteBuffer(parameters_, CL_TRUE, 0, words.size() * sizeof words[0], words.data());
+        parameter_words_ = words;
     }
 
     std::optional<NonFinite> find_non_finite() const {
@@ -261,7 +261,8 @@ private:
     std::vector<std::string> notes_;
     std::string latest_note_;
     cl::Buffer parameters_;
-    std::vector<double> parameter_values_;
+    std::vector<Parameter> rule_parameters_;
+    std::vector<std::uint32_t> parameter_words_;  // what the buffer holds
     mutable cl::Kernel finder_;
     mutable cl::Buffer found_;
 };

@@ -37,7 +37,17 @@ std::string Session::build_options() const {
 }
 
 cl::Program Session::build(const std::string& source, const std::string& more) const {
-    return build_program(*this, source, more.empty() ? build_options() : build_options() + " " + more);
+    const std::string options = more.empty() ? build_options() : build_options() + " " + more;
+    const std::string key = options + "\n" + source;
+    const std::lock_guard lock(building_);
+    const auto known = programs_.find(key);
+    if (known != programs_.end()) return known->second;
+    return programs_.emplace(key, build_program(*this, source, options)).first->second;
+}
+
+std::size_t Session::programs() const {
+    const std::lock_guard lock(building_);
+    return programs_.size();
 }
 
 cl::Buffer Session::buffer(std::size_t bytes, const std::string& what, cl_mem_flags flags) const {

@@ -6,7 +6,10 @@
 #include "opencl/device.hpp"
 #include "opencl/guards.hpp"
 
+#include <cstddef>
+#include <map>
 #include <memory>
+#include <mutex>
 #include <string>
 
 namespace pelage {
@@ -30,9 +33,10 @@ public:
     // Options that every program of this session is built with.
     std::string build_options() const;
 
-    // Builds with build_options() and `more`, from the cache when it can. Throws Error when the build fails; see
-    // program.hpp.
+    // Builds with build_options() and `more`, from the cache when it can; what this session has built before is handed
+    // out again. Throws Error when the build fails; see program.hpp.
     cl::Program build(const std::string& source, const std::string& more = "") const;
+    std::size_t programs() const;  // built so far, all different
 
     // Throws Error when one buffer of that many bytes cannot be had on the device. `what` names its contents.
     cl::Buffer buffer(std::size_t bytes, const std::string& what, cl_mem_flags flags = CL_MEM_READ_WRITE) const;
@@ -51,6 +55,8 @@ private:
     cl::Context context_;
     cl::CommandQueue queue_;
     std::unique_ptr<Guards> guards_;  // none: not guarded
+    mutable std::mutex building_;
+    mutable std::map<std::string, cl::Program> programs_;  // by options and source
 };
 
 }  // namespace pelage
