@@ -29,7 +29,7 @@ namespace {
 CellCase reacting(const ModelFacts& model) {
     CellCase made{"cells/" + model.word, "rule always react", ""};
     for (const ModelSpecies& species : model.species) {
-        const std::string name = "S_" + species.name;
+        const std::string name = model.word + "_" + species.name;  // of its own where many cases stand together
         made.before += fmt::format("define chemical {0} floor none\nuse chemical {0} conc {1} dev {2} diff 0.05\n",
                                    name, (species.low + species.high) / 2, (species.high - species.low) / 2);
         made.lines += " " + name;
