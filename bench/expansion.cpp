@@ -3,7 +3,7 @@
 #include "core/growth.hpp"
 #include "core/prepattern.hpp"
 #include "micro.hpp"
-#include "opencl/lattice.hpp"
+#include "opencl/lattice/tissue.hpp"
 
 #include <algorithm>
 

@@ -1,8 +1,8 @@
 // What the micro benchmarks share: one session, one device, and launches that are waited for.
 #pragma once
 
-#include "opencl/device.hpp"
-#include "opencl/session.hpp"
+#include "opencl/device/device.hpp"
+#include "opencl/device/session.hpp"
 
 #include <benchmark/benchmark.h>
 

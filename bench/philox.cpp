@@ -1,7 +1,7 @@
 // Micro benchmarks: random numbers by counter, on the host and on the device.
 #include "core/philox.hpp"
 #include "micro.hpp"
-#include "opencl/program.hpp"
+#include "opencl/device/program.hpp"
 
 #include <string>
 
@@ -32,7 +32,9 @@ void philox_device(benchmark::State& state) {
     const auto session = micro::session();
     const int width = static_cast<int>(state.range(0));
     Source source;
-    source.text("#define PELAGE_WIDTH " + std::to_string(width) + "\n").file("prelude.cl").file("philox.cl");
+    source.text("#define PELAGE_WIDTH " + std::to_string(width) + "\n")
+        .file("common/prelude.cl")
+        .file("rules/philox.cl");
     cl::Kernel kernel(session->build(source.text(draws_kernel).str()), "draws");
     constexpr std::size_t items = 4096;
     constexpr cl_int count = 64;

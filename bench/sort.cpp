@@ -1,6 +1,6 @@
 // Micro benchmarks: the sort of keys, step by step; counting, scanning and scattering are timed apart.
 #include "micro.hpp"
-#include "opencl/program.hpp"
+#include "opencl/device/program.hpp"
 
 #include <random>
 
@@ -14,7 +14,7 @@ public:
     explicit Sort(std::int64_t points)
         : session_(micro::session()), points_(micro::as_int(points)), chunks_(static_cast<cl_int>(units())) {
         Source source;
-        source.file("prelude.cl").file("scan.cl").file("sort.cl");
+        source.file("common/prelude.cl").file("common/scan.cl").file("common/sort.cl");
         const cl::Program program = session_->build(source.str());
         count_ = cl::Kernel(program, "pelage_sort_count");
         sum_ = cl::Kernel(program, "pelage_sort_sum");

@@ -4,7 +4,8 @@ set(PELAGE_PUBLIC_INCLUDE ${PROJECT_BINARY_DIR}/include)
 file(GLOB public_headers CONFIGURE_DEPENDS RELATIVE ${PROJECT_SOURCE_DIR}/host
   ${PROJECT_SOURCE_DIR}/host/pelage.hpp ${PROJECT_SOURCE_DIR}/host/core/*.hpp ${PROJECT_SOURCE_DIR}/host/io/*.hpp)
 # Of the language and the backends only the doors; what lies behind them may change.
-list(APPEND public_headers language/lint.hpp language/outline.hpp language/parse.hpp opencl/backend.hpp opencl/device.hpp)
+list(APPEND public_headers language/lint.hpp language/outline.hpp language/parse.hpp opencl/backend.hpp
+  opencl/device/device.hpp opencl/device/options.hpp)
 list(TRANSFORM public_headers PREPEND ${PROJECT_SOURCE_DIR}/host/)
 list(APPEND public_headers ${PROJECT_SOURCE_DIR}/reference/backend.hpp)
 set(public_stamp ${PELAGE_PUBLIC_INCLUDE}/made)

@@ -25,7 +25,7 @@ foreach(kernel IN LISTS kernels)
   file(STRINGS ${kernel} line LIMIT_COUNT 1)
   if(NOT line MATCHES "^//@ (model ([^|]*[^| ]) *\\|([^|]*)\\|([^|]*))$")
     message(FATAL_ERROR "${kernel}:1: a model's kernel file begins with '//@ model WORD | SPECIES LOW to HIGH, ... | "
-      "PARAMETER LOW to HIGH, ...' (see kernels/reaction.cl); found '${line}'")
+      "PARAMETER LOW to HIGH, ...' (see kernels/rules/reaction.cl); found '${line}'")
   endif()
   set(declaration "${CMAKE_MATCH_1}")
   set(word "${CMAKE_MATCH_2}")

@@ -18,5 +18,5 @@
 #include "language/lint.hpp"
 #include "language/parse.hpp"
 #include "opencl/backend.hpp"
-#include "opencl/device.hpp"
+#include "opencl/device/device.hpp"
 #include "reference/backend.hpp"

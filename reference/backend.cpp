@@ -4,8 +4,8 @@
 #include "core/error.hpp"
 #include "core/space.hpp"
 #include "core/visit.hpp"
-#include "reference/cells.hpp"
-#include "reference/lattice.hpp"
+#include "reference/cells/tissue.hpp"
+#include "reference/lattice/tissue.hpp"
 
 namespace pelage {
 

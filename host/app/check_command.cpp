@@ -7,7 +7,7 @@
 #include "core/error.hpp"
 #include "core/prepattern.hpp"
 #include "core/space.hpp"
-#include "opencl/explain.hpp"
+#include "opencl/lattice/explain.hpp"
 
 #include <fmt/format.h>
 #include <CLI/Config.hpp>

@@ -4,7 +4,7 @@
 #include "app/prepare.hpp"
 #include "app/say.hpp"
 #include "io/atomic_file.hpp"
-#include "opencl/device.hpp"
+#include "opencl/device/device.hpp"
 
 #include <fmt/format.h>
 #include <CLI/Config.hpp>

@@ -3,8 +3,8 @@
 
 #include "app/commands.hpp"
 #include "core/allowance.hpp"
-#include "opencl/device.hpp"
-#include "opencl/pocl.hpp"
+#include "opencl/device/device.hpp"
+#include "opencl/device/pocl.hpp"
 
 #include <fcntl.h>
 #include <fmt/format.h>

@@ -6,9 +6,9 @@
 #include "io/atomic_file.hpp"
 #include "io/checksum.hpp"
 #include "io/file_bytes.hpp"
-#include "opencl/cache.hpp"
-#include "opencl/session.hpp"
-#include "opencl/subnormal.hpp"
+#include "opencl/device/cache.hpp"
+#include "opencl/device/session.hpp"
+#include "opencl/device/subnormal.hpp"
 #include "verify/self_test.hpp"
 
 #include <fmt/format.h>

@@ -4,7 +4,7 @@
 #include "app/run_options.hpp"
 #include "core/experiment.hpp"
 #include "core/snapshot.hpp"
-#include "opencl/backend.hpp"
+#include "opencl/device/options.hpp"
 
 #include <cstdint>
 #include <string>

@@ -3,7 +3,7 @@
 
 #include "app/worker.hpp"
 #include "core/experiment.hpp"
-#include "opencl/backend.hpp"
+#include "opencl/device/options.hpp"
 #include "tune/trial.hpp"
 
 #include <cstdint>

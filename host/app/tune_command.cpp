@@ -11,7 +11,7 @@
 #include "core/allowance.hpp"
 #include "core/error.hpp"
 #include "io/atomic_file.hpp"
-#include "opencl/cache.hpp"
+#include "opencl/device/cache.hpp"
 
 #include <fmt/format.h>
 #include <CLI/Config.hpp>

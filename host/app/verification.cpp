@@ -7,7 +7,7 @@
 #include "app/say.hpp"
 #include "app/worker.hpp"
 #include "core/error.hpp"
-#include "opencl/session.hpp"
+#include "opencl/device/session.hpp"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>

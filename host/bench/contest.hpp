@@ -4,7 +4,7 @@
 #include "bench/cases.hpp"
 #include "bench/measure.hpp"
 #include "bench/task.hpp"
-#include "opencl/session.hpp"
+#include "opencl/device/session.hpp"
 
 #include <cstddef>
 #include <cstdint>

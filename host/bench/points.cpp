@@ -3,7 +3,7 @@
 
 #include "core/error.hpp"
 #include "core/neighbours.hpp"
-#include "reference/neighbours.hpp"
+#include "reference/neighbours/neighbours.hpp"
 
 #include <algorithm>
 #include <cmath>

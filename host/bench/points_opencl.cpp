@@ -1,8 +1,8 @@
 // See points.hpp: the search on a device.
 #include "bench/points.hpp"
 #include "core/neighbours.hpp"
-#include "opencl/cl_error.hpp"
-#include "opencl/neighbours.hpp"
+#include "opencl/device/cl_error.hpp"
+#include "opencl/neighbours/neighbours.hpp"
 
 #include <algorithm>
 

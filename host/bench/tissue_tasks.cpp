@@ -1,7 +1,7 @@
 // See tissue_tasks.hpp.
 #include "bench/tissue_tasks.hpp"
 
-#include "opencl/cl_error.hpp"
+#include "opencl/device/cl_error.hpp"
 #include "opencl/tissue.hpp"
 #include "reference/backend.hpp"
 

@@ -5,7 +5,7 @@
 #include "core/experiment.hpp"
 #include "core/snapshot.hpp"
 #include "core/tissue.hpp"
-#include "opencl/session.hpp"
+#include "opencl/device/session.hpp"
 
 #include <cstdint>
 #include <memory>

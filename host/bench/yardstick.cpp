@@ -4,9 +4,9 @@
 #include "bench/aligned.hpp"
 #include "bench/openmp.hpp"
 #include "bench/openmp_rows.hpp"
-#include "opencl/cl_error.hpp"
-#include "opencl/pace.hpp"
-#include "opencl/program.hpp"
+#include "opencl/device/cl_error.hpp"
+#include "opencl/device/pace.hpp"
+#include "opencl/device/program.hpp"
 
 #include <algorithm>
 #include <chrono>
@@ -46,7 +46,7 @@ private:
 
 cl::Kernel kernel(const Session& session, const char* name) {
     Source source;
-    source.file("yardstick.cl");
+    source.file("common/yardstick.cl");
     return cl::Kernel(session.build(source.str()), name);
 }
 

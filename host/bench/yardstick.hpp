@@ -2,7 +2,7 @@
 #pragma once
 
 #include "bench/task.hpp"
-#include "opencl/session.hpp"
+#include "opencl/device/session.hpp"
 
 #include <cstddef>
 #include <memory>

@@ -1,5 +1,5 @@
 // The search for concentrations that are no longer numbers. Bits are tested, for a compiler that may assume finite
-// arithmetic would drop isfinite(); IS_FINITE of kernels/prelude.cl is the same test on a device.
+// arithmetic would drop isfinite(); IS_FINITE of kernels/common/prelude.cl is the same test on a device.
 #pragma once
 
 #include "core/tissue.hpp"

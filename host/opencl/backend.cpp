@@ -3,9 +3,9 @@
 
 #include "core/space.hpp"
 #include "core/visit.hpp"
-#include "opencl/cells.hpp"
-#include "opencl/cl_error.hpp"
-#include "opencl/session.hpp"
+#include "opencl/cells/tissue.hpp"
+#include "opencl/device/cl_error.hpp"
+#include "opencl/device/session.hpp"
 #include "opencl/tissue.hpp"
 
 #include <fmt/format.h>

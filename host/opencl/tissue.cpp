@@ -3,8 +3,8 @@
 
 #include "core/space.hpp"
 #include "core/visit.hpp"
-#include "opencl/cells.hpp"
-#include "opencl/lattice.hpp"
+#include "opencl/cells/tissue.hpp"
+#include "opencl/lattice/tissue.hpp"
 
 namespace pelage {
 

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "core/tissue.hpp"
-#include "opencl/session.hpp"
+#include "opencl/device/session.hpp"
 
 #include <memory>
 

@@ -2,8 +2,8 @@
 #pragma once
 
 #include "core/tissue.hpp"
-#include "opencl/backend.hpp"
-#include "opencl/device.hpp"
+#include "opencl/device/device.hpp"
+#include "opencl/device/options.hpp"
 
 #include <nlohmann/json_fwd.hpp>
 

@@ -1,5 +1,5 @@
 // What there is to try on each kind of device.
-#include "opencl/lattice_step.hpp"
+#include "opencl/lattice/step.hpp"
 #include "tune/candidate.hpp"
 
 #include <algorithm>

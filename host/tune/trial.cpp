@@ -2,9 +2,9 @@
 #include "tune/trial.hpp"
 
 #include "core/error.hpp"
-#include "opencl/cl_error.hpp"
-#include "opencl/lattice.hpp"
-#include "opencl/session.hpp"
+#include "opencl/device/cl_error.hpp"
+#include "opencl/device/session.hpp"
+#include "opencl/lattice/tissue.hpp"
 #include "verify/tally.hpp"
 
 #include <fmt/format.h>
@@ -23,7 +23,7 @@ namespace {
 constexpr double loose = 1e-3;
 constexpr std::size_t usual_depth = 24;  // of candidates that leave it open
 constexpr int stretches = 3;
-// The defaults go over to their best kernel only after so much work (see opencl/lattice.cpp).
+// The defaults go over to their best kernel only after so much work (see opencl/lattice/tissue.cpp).
 constexpr double settling_updates = 2.5e8;
 constexpr double settling_seconds = 1.0;
 constexpr std::size_t settled_bytes = 1 << 20;  // lattices that any cache holds have one kernel from the beginning

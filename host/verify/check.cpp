@@ -2,8 +2,8 @@
 #include "verify/check.hpp"
 
 #include "core/error.hpp"
-#include "opencl/cl_error.hpp"
-#include "opencl/subnormal.hpp"
+#include "opencl/device/cl_error.hpp"
+#include "opencl/device/subnormal.hpp"
 
 #include <fmt/format.h>
 

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "opencl/backend.hpp"
-#include "opencl/session.hpp"
+#include "opencl/device/session.hpp"
 #include "verify/tally.hpp"
 
 #include <cstddef>

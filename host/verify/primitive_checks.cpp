@@ -1,9 +1,9 @@
 // See check.hpp: random numbers, sort, scan, neighbour search and the search for what is not finite.
 #include "core/philox.hpp"
-#include "opencl/cl_error.hpp"
-#include "opencl/neighbours.hpp"
-#include "opencl/program.hpp"
-#include "reference/neighbours.hpp"
+#include "opencl/device/cl_error.hpp"
+#include "opencl/device/program.hpp"
+#include "opencl/neighbours/neighbours.hpp"
+#include "reference/neighbours/neighbours.hpp"
 #include "verify/check.hpp"
 #include "verify/points.hpp"
 #include "verify/sorting.hpp"
@@ -51,7 +51,7 @@ struct Draws {
 Draws draw_on_device(const Session& on, const Words& inputs) {
     return with_device(on.info().name, [&] {
         Source source;
-        source.file("prelude.cl").file("philox.cl").text(draw_kernel);
+        source.file("common/prelude.cl").file("rules/philox.cl").text(draw_kernel);
         cl::Kernel kernel(on.build(source.str()), "pelage_draw");
         const std::size_t count = inputs.size() / 6;
         const cl::Buffer in = on.buffer(inputs.size() * 4, "counters");

@@ -1,7 +1,7 @@
 // What became of checks, to be printed, kept and compared between devices.
 #pragma once
 
-#include "opencl/device.hpp"
+#include "opencl/device/device.hpp"
 #include "verify/check.hpp"
 
 #include <nlohmann/json_fwd.hpp>

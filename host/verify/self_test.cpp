@@ -4,8 +4,8 @@
 #include "core/columns.hpp"
 #include "core/forecast.hpp"
 #include "core/schedule.hpp"
-#include "opencl/cells_together.hpp"
-#include "opencl/lattice_step.hpp"
+#include "opencl/cells/together.hpp"
+#include "opencl/lattice/step.hpp"
 #include "reference/backend.hpp"
 #include "verify/tally.hpp"
 

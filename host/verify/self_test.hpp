@@ -3,7 +3,7 @@
 
 #include "core/experiment.hpp"
 #include "core/snapshot.hpp"
-#include "opencl/backend.hpp"
+#include "opencl/device/options.hpp"
 
 #include <cstdint>
 #include <string>

@@ -1,9 +1,9 @@
 // See sorting.hpp.
 #include "verify/sorting.hpp"
 
-#include "opencl/cl_error.hpp"
-#include "opencl/neighbours_launch.hpp"
-#include "opencl/program.hpp"
+#include "opencl/device/cl_error.hpp"
+#include "opencl/device/launch.hpp"
+#include "opencl/device/program.hpp"
 
 #include <algorithm>
 #include <bit>
@@ -18,7 +18,7 @@ struct DeviceSort::Buffers {
 DeviceSort::DeviceSort(const Session& session) : session_(session) {
     with_device(session.info().name, [&] {
         Source source;
-        source.file("prelude.cl").file("scan.cl").file("sort.cl");
+        source.file("common/prelude.cl").file("common/scan.cl").file("common/sort.cl");
         const cl::Program program = session.build(source.str());
         count_ = cl::Kernel(program, "pelage_sort_count");
         sum_ = cl::Kernel(program, "pelage_sort_sum");

@@ -1,7 +1,7 @@
-// The sort of kernels/sort.cl alone, driven as NeighbourBins does.
+// The sort of kernels/common/sort.cl alone, driven as NeighbourBins does.
 #pragma once
 
-#include "opencl/session.hpp"
+#include "opencl/device/session.hpp"
 
 #include <cstdint>
 #include <vector>

@@ -1,7 +1,7 @@
 // A cubic in one chemical, the kinetics of the Schlögl and Nagumo equations: du/dt = (u - a)(u - b)(u - c).
 #pragma once
 
-#include "reference/flow.hpp"
+#include "reference/rules/flow.hpp"
 
 #include <cstddef>
 #include <string_view>

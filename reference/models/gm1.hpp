@@ -2,7 +2,7 @@
 // du/dt = a - b u + u^2 / (v (1 + c u^2)), dv/dt = u^2 - v.
 #pragma once
 
-#include "reference/flow.hpp"
+#include "reference/rules/flow.hpp"
 
 #include <cstddef>
 #include <string_view>

@@ -2,7 +2,7 @@
 // (1993): du/dt = -u v^2 + f (1 - u), dv/dt = u v^2 - (f + k) v. Fixed point u = 1, v = 0.
 #pragma once
 
-#include "reference/flow.hpp"
+#include "reference/rules/flow.hpp"
 
 #include <cmath>
 #include <cstddef>

@@ -2,7 +2,7 @@
 // of the marine angelfish Pomacanthus" (1995): du/dt = clamp(au u + bu v + cu, 0, mu) - du u, and v alike.
 #pragma once
 
-#include "reference/flow.hpp"
+#include "reference/rules/flow.hpp"
 
 #include <cstddef>
 #include <string_view>

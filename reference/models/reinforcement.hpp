@@ -2,7 +2,7 @@
 // du/dt = (t - w - u)(t - u)(t + w - u) 3 sqrt(3) / (2 w^2), with stable states t - w and t + w around the threshold t.
 #pragma once
 
-#include "reference/flow.hpp"
+#include "reference/rules/flow.hpp"
 
 #include <cstddef>
 #include <string_view>

@@ -4,7 +4,7 @@
 // Fixed point u = v = 4 for alpha = 16, beta = 12.
 #pragma once
 
-#include "reference/flow.hpp"
+#include "reference/rules/flow.hpp"
 
 #include <cstddef>
 #include <string_view>

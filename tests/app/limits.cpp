@@ -5,7 +5,7 @@
 #include "app/commands.hpp"
 #include "app/last_will.hpp"
 #include "core/allowance.hpp"
-#include "opencl/device.hpp"
+#include "opencl/device/device.hpp"
 
 #include <sys/resource.h>
 #include <sys/wait.h>

@@ -1,7 +1,7 @@
 // Division of free cells: direction, what a child is like, who may divide, and that no cell is lost or doubled.
 #include "cells_reference/runs.hpp"
 #include "core/error.hpp"
-#include "reference/cells_division.hpp"
+#include "reference/cells/divide.hpp"
 
 #include <catch2/catch.hpp>
 

@@ -1,5 +1,5 @@
 // The k-d tree's neighbour sets against the comparison of all pairs: equal, never nearly.
-#include "reference/neighbours.hpp"
+#include "reference/neighbours/neighbours.hpp"
 
 #include "cells_reference/clouds.hpp"
 #include "core/error.hpp"

@@ -1,5 +1,5 @@
 // The authors' spatial sorting: the order of its matrix, what its window finds, and what it misses.
-#include "reference/spatial_sorting.hpp"
+#include "reference/neighbours/spatial_sorting.hpp"
 
 #include "cells_reference/clouds.hpp"
 #include "core/error.hpp"

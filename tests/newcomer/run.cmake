@@ -25,7 +25,7 @@ file(WRITE ${WORK}/reference/models/three_rivals.hpp [[
 // Competition of three species after Lotka and Volterra.
 #pragma once
 
-#include "reference/flow.hpp"
+#include "reference/rules/flow.hpp"
 
 #include <cstddef>
 #include <string_view>

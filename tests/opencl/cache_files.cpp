@@ -1,9 +1,9 @@
 // The cache of compiled programs: damage, staleness and competition cost time, never correctness.
-#include "opencl/cache.hpp"
+#include "opencl/device/cache.hpp"
 
 #include "lattice_run.hpp"
-#include "opencl/program.hpp"
-#include "opencl/session.hpp"
+#include "opencl/device/program.hpp"
+#include "opencl/device/session.hpp"
 
 #include <sys/wait.h>
 #include <unistd.h>

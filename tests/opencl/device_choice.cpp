@@ -1,5 +1,5 @@
 // Which device is taken, and what is said when there is none.
-#include "opencl/device.hpp"
+#include "opencl/device/device.hpp"
 
 #include "core/error.hpp"
 #include "opencl/backend.hpp"

@@ -1,8 +1,8 @@
 // Programs on the device: random numbers by the book, and what a failed build or call says.
 #include "core/philox.hpp"
-#include "opencl/cl_error.hpp"
-#include "opencl/program.hpp"
-#include "opencl/session.hpp"
+#include "opencl/device/cl_error.hpp"
+#include "opencl/device/program.hpp"
+#include "opencl/device/session.hpp"
 
 #include <catch2/catch.hpp>
 
@@ -36,7 +36,7 @@ using Words = std::vector<cl_uint>;
 
 Words philox(const Session& on, const Words& inputs, const std::string& settings) {
     Source source;
-    source.text(settings).file("prelude.cl").file("philox.cl").text(philox_kernel);
+    source.text(settings).file("common/prelude.cl").file("rules/philox.cl").text(philox_kernel);
     cl::Kernel kernel(on.build(source.str()), "philox");
     const std::size_t count = inputs.size() / 6;
     const cl::Buffer in = on.buffer(inputs.size() * 4, "counters");
@@ -130,8 +130,8 @@ TEST_CASE("kernel files are found, and every place in them must be filled") {
     Source source;
 
     REQUIRE_THROWS_AS(kernel_text("no_such.cl"), Error);
-    REQUIRE_THROWS_AS(source.file("lattice.cl", {}), Error);
-    REQUIRE_THROWS_AS(source.file("prelude.cl", {{"rules", "x"}}), Error);
+    REQUIRE_THROWS_AS(source.file("lattice/step.cl", {}), Error);
+    REQUIRE_THROWS_AS(source.file("common/prelude.cl", {{"rules", "x"}}), Error);
 }
 
 // The number makes it a program that no cache has. A process that ended while PoCL compiles it would be aborted.

@@ -1,5 +1,5 @@
 // What is not finite is told by bits everywhere: built-in questions may be answered without a look by fast arithmetic.
-#include "opencl/kernel_sources.hpp"
+#include "opencl/device/kernel_sources.hpp"
 
 #include <catch2/catch.hpp>
 

@@ -1,5 +1,5 @@
 // How lattices are cut for streamed steps.
-#include "opencl/fused_cut.hpp"
+#include "opencl/lattice/fused_cut.hpp"
 
 #include <catch2/catch.hpp>
 

@@ -1,7 +1,7 @@
 // Fused iterations: the bits of the reference, however deep the passes and however the lattice is shared out.
 #include "busy_lattice.hpp"
 #include "lattice_run.hpp"
-#include "opencl/explain.hpp"
+#include "opencl/lattice/explain.hpp"
 
 using namespace pelage;
 using namespace pelage::verify;

@@ -1,7 +1,7 @@
 // Rates between neighbours that are taken once: they follow whatever changes the rates.
-#include "opencl/lattice_means.hpp"
 #include "core/lattice.hpp"
 #include "lattice_run.hpp"
+#include "opencl/lattice/means.hpp"
 
 using namespace pelage;
 using namespace pelage::verify;

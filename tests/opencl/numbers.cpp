@@ -1,9 +1,9 @@
 // Numbers are parameters: programs depend on the structure of the rules alone, and a changed number compiles nothing.
-#include "opencl/numbers.hpp"
+#include "opencl/rules/numbers.hpp"
 
 #include "core/prepattern.hpp"
 #include "language/parse.hpp"
-#include "opencl/emit_whole.hpp"
+#include "opencl/rules/emit_whole.hpp"
 #include "opencl/tissue.hpp"
 #include "reference/backend.hpp"
 #include "support/opencl_session.hpp"

@@ -1,7 +1,7 @@
 // Every rule and property of free cells on the device against the reference, bit for bit, in float and double.
 #include "core/error.hpp"
 #include "core/prepattern.hpp"
-#include "reference/cells.hpp"
+#include "reference/cells/tissue.hpp"
 #include "support/free_cells.hpp"
 #include "verify/cases_cells.hpp"
 

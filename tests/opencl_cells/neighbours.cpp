@@ -1,7 +1,7 @@
 // Neighbour sets from the device against brute force and the reference's k-d tree: equal, not nearly.
-#include "opencl/neighbours.hpp"
+#include "opencl/neighbours/neighbours.hpp"
 #include "core/error.hpp"
-#include "reference/neighbours.hpp"
+#include "reference/neighbours/neighbours.hpp"
 #include "support/opencl_session.hpp"
 #include "verify/points.hpp"
 

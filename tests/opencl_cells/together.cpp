@@ -1,6 +1,6 @@
 // Many iterations of a small tissue in one launch: the same bits, whatever the work-group, and when that is chosen.
+#include "opencl/cells/together.hpp"
 #include "core/prepattern.hpp"
-#include "opencl/cells_together.hpp"
 #include "support/free_cells.hpp"
 #include "support/opencl_session.hpp"
 #include "verify/cases_cells.hpp"

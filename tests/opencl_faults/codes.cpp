@@ -1,7 +1,7 @@
 // See codes.hpp.
 #include "codes.hpp"
 
-#include "opencl/cl_error.hpp"
+#include "opencl/device/cl_error.hpp"
 
 namespace test {
 

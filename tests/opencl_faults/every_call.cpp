@@ -2,7 +2,7 @@
 #include "every_call.hpp"
 
 #include "codes.hpp"
-#include "opencl/cl_error.hpp"
+#include "opencl/device/cl_error.hpp"
 
 #include <fmt/format.h>
 #include <catch2/catch.hpp>

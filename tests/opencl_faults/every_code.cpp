@@ -5,8 +5,8 @@
 #include "core/error.hpp"
 #include "language/parse.hpp"
 #include "opencl/backend.hpp"
-#include "opencl/cl_error.hpp"
-#include "opencl/session.hpp"
+#include "opencl/device/cl_error.hpp"
+#include "opencl/device/session.hpp"
 #include "verify/compare.hpp"
 
 #include <fmt/format.h>

@@ -3,7 +3,7 @@
 
 #include "core/error.hpp"
 #include "opencl/backend.hpp"
-#include "opencl/device.hpp"
+#include "opencl/device/device.hpp"
 
 #include <catch2/catch.hpp>
 #include <nlohmann/json.hpp>

@@ -4,7 +4,7 @@
 #include "app/runner.hpp"
 #include "core/error.hpp"
 #include "io/checkpoint.hpp"
-#include "opencl/pocl.hpp"
+#include "opencl/device/pocl.hpp"
 
 #include <catch2/catch.hpp>
 #include <nlohmann/json.hpp>

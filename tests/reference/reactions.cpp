@@ -1,8 +1,8 @@
 // The reaction models: fixed points, and values worked by hand.
 #include "core/error.hpp"
 #include "lab.hpp"
-#include "reference/flow.hpp"
-#include "reference/reaction.hpp"
+#include "reference/rules/flow.hpp"
+#include "reference/rules/reaction.hpp"
 
 #include <catch2/catch.hpp>
 

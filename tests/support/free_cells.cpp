@@ -3,7 +3,7 @@
 
 #include "core/prepattern.hpp"
 #include "language/parse.hpp"
-#include "reference/cells.hpp"
+#include "reference/cells/tissue.hpp"
 #include "support/opencl_session.hpp"
 #include "support/shared.hpp"
 #include "verify/compare.hpp"

@@ -4,7 +4,7 @@
 #include "core/experiment.hpp"
 #include "core/snapshot.hpp"
 #include "core/tissue.hpp"
-#include "opencl/cells.hpp"
+#include "opencl/cells/tissue.hpp"
 
 #include <cstdint>
 #include <memory>

@@ -1,8 +1,8 @@
 // One OpenCL session a precision, shared by the tests of free cells.
 #pragma once
 
-#include "opencl/device.hpp"
-#include "opencl/session.hpp"
+#include "opencl/device/device.hpp"
+#include "opencl/device/session.hpp"
 
 namespace test {
 

@@ -3,7 +3,7 @@
 
 #include "io/npy.hpp"
 #include "language/parse.hpp"
-#include "reference/neighbours.hpp"
+#include "reference/neighbours/neighbours.hpp"
 #include "support/shared.hpp"
 
 #include <nlohmann/json.hpp>

@@ -2,7 +2,7 @@
 #include "support/published_check.hpp"
 
 #include "core/prepattern.hpp"
-#include "reference/cells.hpp"
+#include "reference/cells/tissue.hpp"
 
 #include <fmt/format.h>
 

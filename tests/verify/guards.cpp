@@ -1,7 +1,7 @@
 // Guarded sessions: a stray write is caught at the launch that made it, and what was not written is NaN.
 #include "core/error.hpp"
-#include "opencl/neighbours_launch.hpp"
-#include "opencl/session.hpp"
+#include "opencl/device/launch.hpp"
+#include "opencl/device/session.hpp"
 
 #include <catch2/catch.hpp>
 

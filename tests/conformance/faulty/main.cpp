@@ -2,8 +2,8 @@
 //   faulty_kernel FILE.cl
 // Arguments: 64 ints that are written, 64 of the result, 64 that nobody ever writes; groups of 16 work-items.
 #include "core/error.hpp"
-#include "opencl/neighbours_launch.hpp"
-#include "opencl/session.hpp"
+#include "opencl/device/launch.hpp"
+#include "opencl/device/session.hpp"
 
 #include <fstream>
 #include <iostream>

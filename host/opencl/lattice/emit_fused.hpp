@@ -1,0 +1,39 @@
+// The sources of several fused iterations of a lattice (kernels/lattice/stream.cl, kernels/lattice/tile.cl) for one set
+// of active rules.
+#pragma once
+
+#include "core/experiment.hpp"
+#include "core/lattice.hpp"
+#include "core/tissue.hpp"
+#include "opencl/rules/emit_rules.hpp"
+
+#include <cstddef>
+#include <string>
+#include <vector>
+
+namespace pelage {
+
+// How a program of fused iterations is cut to a device.
+struct FusedShape {
+    std::size_t depth = 1;    // most iterations a launch
+    std::size_t rows = 1;     // taken at a time: of a block of a band; or of a tile, without margins
+    std::size_t vectors = 1;  // most vectors across a band or a tile, margins included
+    std::size_t group = 1;    // work-items
+    bool prefetch = false;    // ask for memory before it is needed
+    bool together = false;    // strips' work-groups may share the passes of a launch, see lattice/together.cl
+};
+
+// Values of a cell that pass through the levels: concentrations, and rates, polarity and mappings that differ from
+// cell to cell. `seen`: those whose neighbours are looked at one by one.
+struct FusedFields {
+    std::size_t all = 0;
+    std::size_t seen = 0;
+};
+FusedFields fused_fields(const Experiment&, const LatticePlan&, const RuleUse&);
+
+std::string stream_source(const Experiment&, const LatticePlan&, const RuleText&, const std::vector<bool>& bounded,
+                          Precision, std::size_t width, const FusedShape&);
+std::string tile_source(const Experiment&, const LatticePlan&, const RuleText&, const std::vector<bool>& bounded,
+                        Precision, std::size_t width, const FusedShape&);
+
+}  // namespace pelage

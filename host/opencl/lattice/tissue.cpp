@@ -1,0 +1,274 @@
+// See tissue.hpp.
+#include "opencl/lattice/tissue.hpp"
+
+#include "core/schedule.hpp"
+#include "core/subnormal.hpp"
+#include "opencl/device/cl_error.hpp"
+#include "opencl/device/launch.hpp"
+#include "opencl/device/program.hpp"
+#include "opencl/lattice/emit_lattice.hpp"
+#include "opencl/lattice/explain.hpp"
+#include "opencl/lattice/fused_step.hpp"
+#include "opencl/lattice/means.hpp"
+#include "opencl/lattice/state.hpp"
+#include "opencl/lattice/step.hpp"
+#include "opencl/lattice/traits.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <map>
+#include <utility>
+#include <variant>
+
+namespace pelage {
+
+namespace {
+
+// In the order of LatticeParameter.
+template <class T>
+std::vector<Parameter> phase_parameters(const Experiment& experiment, const LatticePlan& plan,
+                                        const LatticeState& state, const Phase& phase) {
+    const T dt = in_precision<T>(phase.time_step);
+    std::vector<Parameter> values(parameter_place(experiment.chemicals.size(), LatticeParameter::floor), double{dt});
+    for (std::size_t i = 0; i < experiment.chemicals.size(); ++i) {
+        const auto put = [&](LatticeParameter what, T value) { values[parameter_place(i, what)] = double{value}; };
+        const T rate = in_precision<T>(state.uniform_rate(i));
+        put(LatticeParameter::floor, in_precision<T>(phase.bounds[i].floor));
+        put(LatticeParameter::limit, in_precision<T>(phase.bounds[i].limit));
+        put(LatticeParameter::rate, rate);
+        put(LatticeParameter::share, (rate * dt) / static_cast<T>(stencil_divisor(plan.stencil)));
+    }
+    return values;
+}
+
+class OpenclLattice final : public Tissue {
+public:
+    OpenclLattice(std::shared_ptr<const Session> session, std::shared_ptr<const Experiment> experiment,
+                  const Snapshot& initial)
+        : Tissue(std::move(experiment), initial), session_(std::move(session)), pace_(*session_) {
+        do_write(initial);
+    }
+
+    std::vector<std::string> notes() const override { return notes_; }
+
+private:
+    static constexpr std::size_t most_notes = 64;
+    enum class Path { plain, streamed, tiled };
+
+    std::size_t do_cells() const override { return state_->grid().cells(); }
+
+    void do_advance(std::uint64_t first, std::uint64_t count) override {
+        with_device(session_->info().name, [&] {
+            const std::uint64_t end = first + count;
+            upload_parameters(experiment().phase_at(first));
+            for (std::uint64_t iteration = first; iteration < end;) {
+                const std::uint64_t next = std::min(end, next_change(experiment(), iteration));
+                LatticeKernel& step = step_for(iteration, next - iteration);
+                if (!counted_) {  // rules may read the counts: they change after this one iteration
+                    step.enqueue(*state_, parameters_, iteration, 1, pace_);
+                    state_->counted();
+                    counted_ = true;
+                    ++iteration;
+                }
+                step.enqueue(*state_, parameters_, iteration, next - iteration, pace_);
+                iteration = next;
+            }
+            session_->queue().flush();
+        });
+    }
+
+    void do_expand(const Insertion& insertion) override {
+        with_device(session_->info().name, [&] { state_->expand(insertion, iteration()); });
+        counted_ = false;
+    }
+
+    void do_resample(const Resampling& resampling) override {
+        with_device(session_->info().name,
+                    [&] { state_->stretch(resampling, experiment().phase_at(iteration()).bounds); });
+        counted_ = false;
+    }
+
+    void do_set_rate(std::size_t chemical, double rate) override {
+        with_device(session_->info().name, [&] { state_->set_rate(chemical, rate); });
+    }
+
+    Snapshot do_read() const override {
+        return with_device(session_->info().name, [&] { return state_->read(); });
+    }
+
+    void do_write(const Snapshot& snapshot) override {
+        with_device(session_->info().name, [&] {
+            const LatticePlan plan = lattice_plan(experiment(), snapshot);
+            const std::vector<bool> every(experiment().rules.size(), true);
+            every_use_ = emit_rules(experiment(), every, session_->options().precision).use;
+            state_ = std::make_unique<LatticeState>(*session_, experiment(), plan, every_use_, snapshot);
+            if (plan.rates != plan_.rates || plan.polarity != plan_.polarity) {  // all else is the experiment's
+                steps_.clear();
+                any_set_.clear();
+                reasons_.clear();
+                means_ = nullptr;
+            }
+            if (means_) means_->forget();
+            plan_ = plan;
+            counted_ = false;
+        });
+    }
+
+    std::optional<NonFinite> do_non_finite() const override {
+        return with_device(session_->info().name, [&] { return find_non_finite(); });
+    }
+
+    // The kernel for `count` iterations from `iteration` on.
+    LatticeKernel& step_for(std::uint64_t iteration, std::uint64_t count) {
+        std::vector<bool> active = active_rules(experiment(), iteration);
+        for (std::size_t i = 0; i < active.size(); ++i) {
+            if (std::holds_alternative<Expand>(experiment().rules[i].action)) active[i] = false;
+        }
+        double& work = work_[active];
+        work += static_cast<double>(count) * static_cast<double>(do_cells());
+        const Path path = path_for(active, work, iteration);
+        if (steps_.size() >= session_->options().variants && !steps_.contains({active, path})) {
+            std::unique_ptr<LatticeKernel>& step = any_set_[path];
+            if (!step) step = make_step(std::vector<bool>(active.size(), true), true, path, iteration);
+            return *step;
+        }
+        std::unique_ptr<LatticeKernel>& step = steps_[{active, path}];
+        if (!step) step = make_step(active, false, path, iteration);
+        return *step;
+    }
+
+    Path path_for(const std::vector<bool>& active, double work, std::uint64_t iteration) {
+        switch (session_->options().fusion) {
+            case Fusion::always:
+                return Path::streamed;
+            case Fusion::tiled:
+                return Path::tiled;
+            case Fusion::automatic:
+                if (tiles_pay(*session_)) return Path::tiled;
+                return wants_streaming(active, work, iteration) ? Path::streamed : Path::plain;
+            default:
+                return Path::plain;
+        }
+    }
+
+    // A streamed program takes seconds to compile: some `work`, in cell-updates, must have come by, and so much must
+    // lie ahead under these rules.
+    bool wants_streaming(const std::vector<bool>& active, double work, std::uint64_t iteration) {
+        if (!is_cpu(*session_) || work < 2e8) return false;
+        const auto cells = static_cast<double>(do_cells());
+        return streaming_pays(experiment(), active, iteration, cells, fits_caches(), work) &&
+               reason_against(active).empty();
+    }
+
+    const std::string& reason_against(const std::vector<bool>& active) {
+        const auto known = reasons_.find(active);
+        if (known != reasons_.end()) return known->second;
+        const RuleUse use = emit_rules(experiment(), active, session_->options().precision).use;
+        return reasons_[active] = why_not_streamed(plan_, use);
+    }
+
+    bool fits_caches() const {
+        std::size_t fields = 0;
+        const LatticeTraits traits(experiment(), plan_, every_use_);
+        for (std::size_t i = 0; i < plan_.rates.size(); ++i) fields += traits.idle(i) ? 0 : 1;
+        return caches_hold(session_->info(), static_cast<double>(2 * fields * session_->scalar_bytes() * do_cells()));
+    }
+
+    std::unique_ptr<LatticeKernel> make_step(const std::vector<bool>& active, bool test_intervals, Path path,
+                                             std::uint64_t iteration) {
+        std::unique_ptr<LatticeKernel> step;
+        if (path == Path::plain) {
+            if (!means_ && means_pay(*session_, plan_, every_use_)) {
+                means_ = std::make_shared<LatticeMeans>(*session_, experiment(), plan_);
+            }
+            step = std::make_unique<LatticeStep>(*session_, experiment(), plan_, active, test_intervals, means_);
+        } else {
+            step = std::make_unique<FusedStep>(*session_, experiment(), plan_, active, test_intervals,
+                                               path == Path::tiled);
+        }
+        const bool shared = shares_steps(*session_);
+        const std::string reason =
+            fits_caches() ? "caches hold the lattice, streaming would gain too little" : reason_against(active);
+        note(iteration, step->describe(), path != Path::plain || !shared ? "" : reason);
+        return step;
+    }
+
+    void note(std::uint64_t iteration, const std::string& how, const std::string& reason) {
+        const std::string text = reason.empty() ? how : how + "; not streamed: " + reason;
+        if (text == latest_note_ || notes_.size() == most_notes) return;
+        notes_.push_back(fmt::format("from iteration {}: {}", iteration, text));
+        latest_note_ = text;
+    }
+
+    void upload_parameters(const Phase& phase) {
+        const Precision precision = session_->options().precision;
+        std::vector<Parameter> values;
+        if (session_->is_double()) {
+            values = phase_parameters<double>(experiment(), plan_, *state_, phase);
+        } else {
+            const SubnormalsAreZero scope;
+            values = phase_parameters<float>(experiment(), plan_, *state_, phase);
+        }
+        if (rule_parameters_.empty()) rule_parameters_ = rule_parameters(experiment(), precision);
+        values.insert(values.end(), rule_parameters_.begin(), rule_parameters_.end());
+        const std::vector<std::uint32_t> words = parameter_words(values, precision);
+        if (words == parameter_words_) return;
+        if (parameters_() == nullptr) parameters_ = session_->buffer(words.size() * sizeof words[0], "parameters");
+        session_->queue().enqueueWriteBuffer(parameters_, CL_TRUE, 0, words.size() * sizeof words[0], words.data());
+        parameter_words_ = words;
+    }
+
+    std::optional<NonFinite> find_non_finite() const {
+        const Grid& grid = state_->grid();
+        std::vector<cl_uint> found(experiment().chemicals.size(), 0xffffffffu);
+        if (finder_() == nullptr) {
+            Source source;
+            source.file("common/prelude.cl").file("lattice/non_finite.cl");
+            found_ = session_->buffer(found.size() * 4, "search results");
+            finder_ = cl::Kernel(session_->build(source.str()), "pelage_lattice_non_finite");
+        }
+        const cl::CommandQueue& queue = session_->queue();
+        queue.enqueueWriteBuffer(found_, CL_TRUE, 0, found.size() * 4, found.data());
+        Arguments(*session_, finder_)
+            .add(state_->conc().now(), found_, grid.columns, grid.rows, grid.pitch(), found.size());
+        const bool strips = is_cpu(*session_);
+        const std::size_t items =
+            strips ? std::min<std::size_t>(grid.rows, 8 * session_->info().compute_units) : grid.rows;
+        session_->launch(finder_, cl::NDRange(items, strips ? 1 : 64), cl::NDRange(1, 1));
+        queue.enqueueReadBuffer(found_, CL_TRUE, 0, found.size() * 4, found.data());
+        for (std::size_t chemical = 0; chemical < found.size(); ++chemical) {
+            if (found[chemical] != 0xffffffffu) return NonFinite{chemical, found[chemical]};
+        }
+        return std::nullopt;
+    }
+
+    std::shared_ptr<const Session> session_;
+    Pace pace_;
+    LatticePlan plan_;
+    RuleUse every_use_;  // what any rule may need, at any time
+    std::unique_ptr<LatticeState> state_;
+    std::shared_ptr<LatticeMeans> means_;       // null where they do not pay, or not needed yet
+    bool counted_ = false;                      // state_ has been told that an iteration has been carried out
+    std::map<std::vector<bool>, double> work_;  // cell-updates asked for, by active rules
+    // By active rules and path; any_set_ tests at run time which rules act.
+    std::map<std::pair<std::vector<bool>, Path>, std::unique_ptr<LatticeKernel>> steps_;
+    std::map<Path, std::unique_ptr<LatticeKernel>> any_set_;
+    std::map<std::vector<bool>, std::string> reasons_;  // against streaming, by active rules
+    std::vector<std::string> notes_;
+    std::string latest_note_;
+    cl::Buffer parameters_;
+    std::vector<Parameter> rule_parameters_;
+    std::vector<std::uint32_t> parameter_words_;  // what the buffer holds
+    mutable cl::Kernel finder_;
+    mutable cl::Buffer found_;
+};
+
+}  // namespace
+
+std::unique_ptr<Tissue> make_opencl_lattice(std::shared_ptr<const Session> session,
+                                            std::shared_ptr<const Experiment> experiment, const Snapshot& initial) {
+    return std::make_unique<OpenclLattice>(std::move(session), std::move(experiment), initial);
+}
+
+}  // namespace pelage

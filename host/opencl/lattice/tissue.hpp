@@ -1,0 +1,14 @@
+// A lattice tissue on one OpenCL device.
+#pragma once
+
+#include "core/tissue.hpp"
+#include "opencl/device/session.hpp"
+
+#include <memory>
+
+namespace pelage {
+
+std::unique_ptr<Tissue> make_opencl_lattice(std::shared_ptr<const Session>, std::shared_ptr<const Experiment>,
+                                            const Snapshot& initial);
+
+}  // namespace pelage

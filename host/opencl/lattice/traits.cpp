@@ -1,0 +1,92 @@
+// See traits.hpp.
+#include "opencl/lattice/traits.hpp"
+
+#include <fmt/format.h>
+
+namespace pelage {
+
+namespace {
+
+double neighbour_share(Stencil stencil, bool diagonal) {
+    switch (stencil) {
+        case Stencil::nine_point:
+            return diagonal ? 1.0 / 6 : 4.0 / 6;
+        case Stencil::sims:
+            return diagonal ? 0.05 : 0.2;
+        default:
+            return 1.0;
+    }
+}
+
+}  // namespace
+
+LatticeTraits::LatticeTraits(const Experiment& experiment, const LatticePlan& plan, const RuleUse& use)
+    : experiment_(experiment), plan_(plan), use_(use) {}
+
+bool LatticeTraits::directed(std::size_t i) const {
+    return per_cell(i) && plan_.polarity && experiment_.chemicals[i].anisotropic;
+}
+
+bool LatticeTraits::rolled(std::size_t i) const {
+    return plan_.rates[i] == RateKind::uniform && plan_.arithmetic == Arithmetic::fused;
+}
+
+bool LatticeTraits::idle(std::size_t i) const {
+    return plan_.rates[i] == RateKind::none && !use_.concentrations_written.contains(i) && !followed(i);
+}
+
+bool LatticeTraits::maps(std::size_t mapping) const {
+    return use_.mappings_read.contains(mapping) || use_.mappings_written.contains(mapping);
+}
+
+bool LatticeTraits::polarity() const {
+    for (std::size_t i = 0; i < plan_.rates.size(); ++i) {
+        if (directed(i)) return true;
+    }
+    return turns();
+}
+
+bool LatticeTraits::visits() const {
+    for (std::size_t i = 0; i < plan_.rates.size(); ++i) {
+        if (visited(i)) return true;
+    }
+    return turns();
+}
+
+std::string LatticeTraits::visit(bool means) const {
+    std::string text;
+    for (std::size_t i = 0; i < plan_.rates.size(); ++i) {
+        if (!visited(i)) continue;
+        if (means && per_cell(i)) {
+            const std::string felt = fmt::format("pelage_directed(r{}, px, py, dx, dy, diagonal)", i);
+            text += fmt::format("EXCHANGE_MEANT({0}, {1})\n", i, directed(i) ? felt : fmt::format("r{}", i));
+            continue;
+        }
+        const char* how = directed(i) ? "DIRECTED" : per_cell(i) ? "PER_CELL" : "UNIFORM";
+        text += fmt::format("EXCHANGE_{}({})\n", how, i);
+    }
+    for (const std::size_t i : use_.polarizes) text += fmt::format("GRADIENT({})\n", i);
+    return text;
+}
+
+std::string LatticeTraits::turn(Precision precision) const {
+    std::string any = "ALL_FALSE", gx = "R(0)", gy = "R(0)";
+    for (const std::size_t i : use_.polarizes) {
+        any = fmt::format("{} | g{}", any, i);
+        gx = fmt::format("SELECT(g{0}, gx{0}, {1})", i, gx);
+        gy = fmt::format("SELECT(g{0}, gy{0}, {1})", i, gy);
+    }
+    return fmt::format(
+        "const real gx = {};\nconst real gy = {};\nconst real slope = sqrt(gx * gx + gy * gy);\n"
+        "const mask steep = ({}) & (slope > {});\n"
+        "const real turned_x = SELECT(steep, gx / slope, px);\nconst real turned_y = SELECT(steep, gy / slope, py);\n",
+        gx, gy, any, emit_number(0.0001, precision));
+}
+
+std::string LatticeTraits::shares(Precision precision) const {
+    return fmt::format("#define EDGE_SHARE {}\n#define DIAGONAL_SHARE {}\n",
+                       emit_number(neighbour_share(plan_.stencil, false), precision),
+                       emit_number(neighbour_share(plan_.stencil, true), precision));
+}
+
+}  // namespace pelage

@@ -1,0 +1,41 @@
+// The parameters of one rule as OpenCL C, and the random draws they need.
+#pragma once
+
+#include "core/experiment.hpp"
+#include "opencl/rules/emit_rules.hpp"
+
+#include <cstdint>
+#include <set>
+#include <string>
+
+namespace pelage {
+
+// Operands must be asked for in the order in which RANDOM is counted: condition first, then the action's.
+class OperandEmitter {
+public:
+    OperandEmitter(std::size_t rule, Numbers& numbers) : rule_(rule), numbers_(numbers) {}
+
+    std::string text(const Operand&);   // of type real
+    std::string whole(const Operand&);  // of type uintv; for is_whole() quantities
+
+    // Uniform in [0, 1): first word of this rule's draw for `purpose`.
+    std::string draw(std::uint32_t purpose);
+
+    // Declarations of the draws asked for since the last call; to be put before the first use.
+    std::string take_draws();
+    bool has_draws() const { return !pending_.empty(); }
+
+    void note_use(RuleUse&) const;
+
+private:
+    void need(std::uint32_t purpose);
+
+    std::size_t rule_;
+    Numbers& numbers_;
+    std::uint32_t randoms_ = 0;
+    std::set<std::uint32_t> declared_;
+    std::string pending_;
+    RuleUse use_;
+};
+
+}  // namespace pelage

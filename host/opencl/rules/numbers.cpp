@@ -1,0 +1,50 @@
+// See numbers.hpp.
+#include "opencl/rules/numbers.hpp"
+
+#include "core/subnormal.hpp"
+
+#include <fmt/format.h>
+
+#include <bit>
+
+namespace pelage {
+
+std::string Numbers::real(double value) { return named('k', value); }
+std::string Numbers::word(std::uint32_t value) { return named('u', value); }
+
+std::string Numbers::named(char kind, Parameter value) {
+    const std::size_t place = values_.size();
+    values_.push_back(value);
+    if (declare_) names_.push_back({kind, place});
+    return fmt::format("{}{}", kind, place);
+}
+
+std::string Numbers::declarations(std::size_t first) const {
+    std::string text;
+    for (const Name& name : names_) {
+        text += name.kind == 'k'
+                    ? fmt::format("const real k{} = R(parameters[{}]);\n", name.place, first + name.place)
+                    : fmt::format("const uint u{} = PARAMETER_WORD({});\n", name.place, first + name.place);
+    }
+    return text;
+}
+
+std::vector<std::uint32_t> parameter_words(const std::vector<Parameter>& values, Precision precision) {
+    std::vector<std::uint32_t> words;
+    const auto add = [&](std::uint64_t bits) {
+        words.push_back(static_cast<std::uint32_t>(bits));
+        if (precision == Precision::double_) words.push_back(static_cast<std::uint32_t>(bits >> 32));
+    };
+    for (const Parameter& value : values) {
+        if (const auto* word = std::get_if<std::uint32_t>(&value)) {
+            add(*word);
+        } else if (precision == Precision::double_) {
+            add(std::bit_cast<std::uint64_t>(std::get<double>(value)));
+        } else {
+            add(std::bit_cast<std::uint32_t>(in_precision<float>(std::get<double>(value))));
+        }
+    }
+    return words;
+}
+
+}  // namespace pelage

@@ -1,0 +1,38 @@
+// Diffusion from neighbour to neighbour, and the gradient that polarity follows.
+#pragma once
+
+#include "core/lattice.hpp"
+#include "reference/lattice/surroundings.hpp"
+#include "reference/rules/state.hpp"
+
+#include <cstddef>
+#include <vector>
+
+namespace pelage::reference {
+
+// The rate between two cells: 2 d1 d2 / (d1 + d2), so that an impermeable cell (0) exchanges nothing.
+template <class T>
+T shared_rate(T own, T theirs) {
+    return own == theirs ? own : (T(2) * (own * theirs)) / (own + theirs);
+}
+
+struct Medium {  // what diffusion runs through
+    const Shape& shape;
+    Arithmetic arithmetic;
+    const Surroundings& surroundings;
+};
+
+// next += what `chemical` exchanges in one iteration, where rates are the same in all cells.
+template <class T>
+void diffuse_uniform(const Medium&, std::size_t chemical, T dt, const State<T>& old, State<T>& next);
+
+// The same where each cell has its own rate; anisotropic: a cell with a polarity p multiplies its rate by
+// |d . p| / |d|, d being the vector to the other cell.
+template <class T>
+void diffuse_per_cell(const Medium&, std::size_t chemical, bool anisotropic, T dt, const State<T>& old, State<T>& next);
+
+// next.polarity := the unit gradient of chemical requests[cell] in `old`, where that is not -1 and steep enough.
+template <class T>
+void follow_gradients(const Medium&, const std::vector<std::int32_t>& requests, const State<T>& old, State<T>& next);
+
+}  // namespace pelage::reference

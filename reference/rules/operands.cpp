@@ -1,0 +1,102 @@
+// Evaluates operands for all cells at once.
+#include "reference/rules/operands.hpp"
+
+#include "core/philox.hpp"
+#include "core/subnormal.hpp"
+
+#include <array>
+#include <utility>
+
+namespace pelage::reference {
+
+namespace {
+
+std::array<std::uint32_t, 4> words(std::size_t cell, std::uint64_t iteration, std::size_t rule, std::uint32_t purpose,
+                                   std::int64_t seed) {
+    const auto key = static_cast<std::uint64_t>(seed);
+    return philox4x32_10({static_cast<std::uint32_t>(cell), static_cast<std::uint32_t>(iteration),
+                          static_cast<std::uint32_t>(rule), purpose},
+                         {static_cast<std::uint32_t>(key), static_cast<std::uint32_t>(key >> 32)});
+}
+
+template <class T, class F>
+Column<T> computed(std::size_t cells, F&& value_of) {
+    std::vector<T> values(cells);
+    for (std::size_t cell = 0; cell < cells; ++cell) values[cell] = static_cast<T>(value_of(cell));
+    return Column<T>(std::move(values));
+}
+
+}  // namespace
+
+template <class T>
+T draw(const Sight<T>& sight, std::size_t cell, std::uint32_t purpose) {
+    return unit_uniform<T>(words(cell, sight.iteration, sight.rule, purpose, sight.seed)[0]);
+}
+
+// A whole quantity as numbers of type N.
+template <class N, class T>
+Column<N> whole_column(const Sight<T>& sight, Quantity quantity) {
+    const State<T>& old = sight.old;
+    const std::size_t cells = old.cells();
+    const std::size_t columns = old.columns == 0 ? 1 : old.columns;
+    const std::size_t lattice = old.columns == 0 ? 0 : 1;
+    switch (quantity) {
+        case Quantity::neighbours:
+            return computed<N>(cells, [&](auto cell) { return old.neighbours[cell]; });
+        case Quantity::age:
+            return computed<N>(cells, [&](auto cell) { return sight.iteration - old.birth[cell]; });
+        case Quantity::birth:
+            return computed<N>(cells, [&](auto cell) { return old.birth[cell]; });
+        case Quantity::row:
+            return computed<N>(cells, [&](auto cell) { return cell / columns * lattice; });
+        case Quantity::column:
+            return computed<N>(cells, [&](auto cell) { return cell % columns * lattice; });
+        case Quantity::rows:
+            return Column<N>(static_cast<N>(old.rows));
+        case Quantity::columns:
+            return Column<N>(static_cast<N>(old.columns));
+        default:
+            return Column<N>(static_cast<N>(sight.iteration));
+    }
+}
+
+template <class T>
+Column<T> Sight<T>::column(const Operand& operand) {
+    if (is_whole(operand.quantity)) return whole_column<T>(*this, operand.quantity);
+    switch (operand.quantity) {
+        case Quantity::number:
+            return Column<T>(in_precision<T>(operand.value));
+        case Quantity::x:
+            return Column<T>(old.x);
+        case Quantity::y:
+            return Column<T>(old.y);
+        case Quantity::random: {
+            const std::uint32_t nth = randoms++;
+            const std::uint32_t purpose = purpose::operand + 16 * (nth / 4);
+            return computed<T>(old.cells(), [&](auto cell) {
+                return unit_uniform<T>(words(cell, iteration, rule, purpose, seed)[nth % 4]);
+            });
+        }
+        case Quantity::concentration:
+            return Column<T>(old.conc[operand.index]);
+        case Quantity::rate:
+            return Column<T>(old.diff[operand.index]);
+        case Quantity::mapping:
+            return Column<T>(mappings[operand.index]);
+        default:
+            return Column<T>(T(0));
+    }
+}
+
+template <class T>
+Column<double> Sight<T>::exact_column(const Operand& operand) const {
+    if (operand.quantity == Quantity::number) return Column<double>(operand.value);
+    return whole_column<double>(*this, operand.quantity);
+}
+
+template float draw(const Sight<float>&, std::size_t, std::uint32_t);
+template double draw(const Sight<double>&, std::size_t, std::uint32_t);
+template struct Sight<float>;
+template struct Sight<double>;
+
+}  // namespace pelage::reference

@@ -1,0 +1,110 @@
+// The rooms of the house: which folder may include from which. No two of them include from each other, by whatever way
+// round; what is common to a kernel file and the host's part of it has one name.
+#include "app/process.hpp"
+
+#include <catch2/catch.hpp>
+
+#include <algorithm>
+#include <filesystem>
+#include <map>
+#include <regex>
+#include <set>
+#include <sstream>
+#include <string>
+#include <vector>
+
+using test::read_all;
+
+namespace {
+
+namespace fs = std::filesystem;
+
+const fs::path source = PELAGE_SOURCE;
+
+using Rooms = std::map<std::string, std::set<std::string>>;  // a room, and those that it includes from
+
+// The folder of what `name` names in an #include, relative to the sources; empty for what is not ours.
+std::string room_of(const std::string& name) {
+    for (const fs::path& place : {fs::path("host") / name, fs::path(name)}) {
+        if (fs::exists(source / place)) return place.parent_path().string();
+    }
+    return "";
+}
+
+Rooms rooms() {
+    Rooms found;
+    const std::regex line("#include \"([^\"]+)\"");
+    for (const char* part : {"host", "reference"}) {
+        for (const auto& entry : fs::recursive_directory_iterator(source / part)) {
+            if (entry.path().extension() != ".cpp" && entry.path().extension() != ".hpp") continue;
+            const std::string room = entry.path().parent_path().lexically_relative(source).string();
+            const std::string text = read_all(entry.path());
+            for (auto at = std::sregex_iterator(text.begin(), text.end(), line); at != std::sregex_iterator(); ++at) {
+                const std::string other = room_of((*at)[1].str());
+                if (!other.empty() && other != room) found[room].insert(other);
+            }
+        }
+    }
+    return found;
+}
+
+// A way from `room` back to itself, room by room; empty where there is none.
+std::vector<std::string> circle(const Rooms& all, const std::string& room) {
+    std::map<std::string, std::string> from;
+    std::vector<std::string> open{room};
+    while (!open.empty()) {
+        const std::string here = open.back();
+        open.pop_back();
+        const auto found = all.find(here);
+        if (found == all.end()) continue;
+        for (const std::string& next : found->second) {
+            if (!from.emplace(next, here).second) continue;
+            if (next == room) {
+                std::vector<std::string> way{room};
+                for (std::string at = from.at(room); at != room; at = from.at(at)) way.push_back(at);
+                return way;
+            }
+            open.push_back(next);
+        }
+    }
+    return {};
+}
+
+}  // namespace
+
+TEST_CASE("a circle of rooms is recognised") {
+    CHECK(circle({{"a", {"b"}}, {"b", {"c"}}, {"c", {"b"}}}, "b").size() == 2);
+    CHECK(circle({{"a", {"b"}}, {"b", {"c"}}, {"c", {"b"}}}, "a").empty());
+}
+
+TEST_CASE("no room includes from itself by way of others") {
+    const Rooms all = rooms();
+    REQUIRE(all.size() > 15);
+
+    for (const auto& [room, unused] : all) {
+        INFO(room);
+        CHECK(circle(all, room) == std::vector<std::string>{});
+    }
+}
+
+TEST_CASE("neither backend includes the other, and the core includes nobody") {
+    const Rooms all = rooms();
+
+    CHECK(all.count("host/core") == 0);
+    for (const auto& [room, others] : all) {
+        for (const std::string& other : others) {
+            INFO(room << " includes from " << other);
+            CHECK_FALSE((room.starts_with("reference") && other.starts_with("host/opencl")));
+            CHECK_FALSE((room.starts_with("host/opencl") && other.starts_with("reference")));
+        }
+    }
+}
+
+TEST_CASE("kernels, OpenCL and reference have rooms of the same names") {
+    for (const char* room : {"lattice", "cells", "neighbours", "rules"}) {
+        INFO(room);
+        CHECK(fs::is_directory(source / "kernels" / room));
+        CHECK(fs::is_directory(source / "host/opencl" / room));
+        CHECK(fs::is_directory(source / "reference" / room));
+    }
+}
