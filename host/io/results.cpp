@@ -62,8 +62,4 @@ std::vector<std::string> write_results(const std::filesystem::path& folder, cons
     return ResultPlan(folder, stem, snapshot, experiment, options).write();
 }
 
-std::string snapshot_stem(std::uint64_t iteration, std::uint64_t last_iteration) {
-    return fmt::format("{:0{}}", iteration, std::to_string(last_iteration).size());
-}
-
 }  // namespace pelage

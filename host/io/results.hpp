@@ -52,8 +52,4 @@ struct ResultOptions {
 std::vector<std::string> write_results(const std::filesystem::path& folder, const std::string& stem, const Snapshot&,
                                        const Experiment&, const ResultOptions&);
 
-// The iteration with zeros in front, as wide as the last iteration: names sort as the run went, as ffmpeg's
-// -pattern_type glob needs it.
-std::string snapshot_stem(std::uint64_t iteration, std::uint64_t last_iteration);
-
 }  // namespace pelage

@@ -193,13 +193,6 @@ TEST_CASE("formats are a list with commas") {
     CHECK_THAT(test::error_of([] { parse_formats("png,"); }), Contains("''"));
 }
 
-TEST_CASE("names of snapshots sort as the run goes") {
-    CHECK(snapshot_stem(0, 10000) == "00000");
-    CHECK(snapshot_stem(250, 10000) == "00250");
-    CHECK(snapshot_stem(10000, 10000) == "10000");
-    CHECK(snapshot_stem(12, 7) == "12");
-}
-
 TEST_CASE("results that cannot be are refused in words") {
     const Scratch scratch;
     test::put(scratch / "file", "");
