@@ -26,6 +26,13 @@ set_target_properties(pelage_command PROPERTIES OUTPUT_NAME pelage)
 target_compile_definitions(pelage_command PRIVATE PELAGE_VERSION="${PROJECT_VERSION}")
 target_link_libraries(pelage_command PRIVATE pelage_app pelage_flags)
 
+# Every file that knows the parser of the command line takes seconds to read it: they are compiled in one go.
+set_target_properties(pelage_app PROPERTIES UNITY_BUILD ON UNITY_BUILD_MODE GROUP)
+foreach(name bench_command check_command command_line completion completion_command devices_command help_command manual
+    options_of run_command tune_command validators verify_command)
+  set_source_files_properties(host/app/${name}.cpp PROPERTIES UNITY_GROUP command_line)
+endforeach()
+
 # What takes time at run time is in the library and in the benchmarks' baselines; here it is compiling.
 foreach(target pelage_verify pelage_tune pelage_app pelage_command)
   target_compile_options(${target} PRIVATE $<$<CONFIG:Release>:-O1>)

@@ -1,7 +1,9 @@
 // The subcommands of `pelage`: one file each, one line here and in command_line.cpp.
 #pragma once
 
-#include <CLI/App.hpp>
+namespace CLI {
+class App;
+}
 
 namespace pelage::app {
 

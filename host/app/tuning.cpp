@@ -5,6 +5,7 @@
 #include "app/say.hpp"
 #include "app/self_check.hpp"
 #include "core/error.hpp"
+#include "opencl/backend.hpp"
 #include "opencl/device/cache.hpp"
 
 #include <fmt/format.h>

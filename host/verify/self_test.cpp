@@ -4,6 +4,7 @@
 #include "core/columns.hpp"
 #include "core/forecast.hpp"
 #include "core/schedule.hpp"
+#include "opencl/backend.hpp"
 #include "opencl/cells/together.hpp"
 #include "opencl/lattice/step.hpp"
 #include "reference/backend.hpp"

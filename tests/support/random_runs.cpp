@@ -9,6 +9,7 @@
 #include "io/picture.hpp"
 #include "language/parse.hpp"
 #include "language/shape.hpp"
+#include "opencl/backend.hpp"
 #include "reference/backend.hpp"
 #include "verify/dice.hpp"
 
