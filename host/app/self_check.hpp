@@ -4,6 +4,7 @@
 #include "app/run_options.hpp"
 #include "core/experiment.hpp"
 #include "core/snapshot.hpp"
+#include "opencl/device/device.hpp"
 #include "opencl/device/options.hpp"
 
 #include <cstdint>

@@ -3,6 +3,7 @@
 
 #include "app/worker.hpp"
 #include "core/experiment.hpp"
+#include "opencl/device/device.hpp"
 #include "opencl/device/options.hpp"
 #include "tune/trial.hpp"
 

@@ -1,5 +1,6 @@
 // Subnormal numbers on the device: the permission to take them for 0, the use it makes of it, and states that hold
 // them.
+#include "opencl/backend.hpp"
 #include "opencl/device/subnormal.hpp"
 
 #include "core/prepattern.hpp"
