@@ -53,9 +53,10 @@ public:
 
     double left() const {
         constexpr double longest_compilation = 60;
-        const double compiled =
-            started_ ? compiled_ : std::min(worker_.processor_seconds() - computed_, longest_compilation);
-        const double end = running_ + compiled;
+        constexpr double share = 4;  // of processors, with as many others at work
+        constexpr double beginning = 2;
+        const double computed = beginning + share * (worker_.processor_seconds() - computed_);
+        const double end = running_ + (started_ ? compiled_ : std::min(computed, longest_compilation));
         return std::min(end, whole_) - since(start_);
     }
 

@@ -171,7 +171,7 @@ TEST_CASE("the limit of a candidate does not count its compilation") {
     const Folder folder;
     const std::string file = folder.write("spots.pex", test::spots);
 
-    const Outcome outcome = search(folder, file, {"--limit", "0.5", "--no-cache"});  // compiling takes longer
+    const Outcome outcome = search(folder, file, {"--limit", "1", "--no-cache"});  // compiling takes longer
 
     CHECK_THAT(outcome.out, !Contains("hung"));
 }
