@@ -98,6 +98,18 @@ void refuse_values_of_flags(CLI::App& command) {
     }
 }
 
+// An unset variable in a script is not an option that was left out.
+void refuse_empty_values(CLI::App& command) {
+    const CLI::Validator something(
+        [](std::string& text) {
+            return std::string(text.empty() ? "an empty value names nothing; leave the option out instead" : "");
+        },
+        "", "");
+    for (CLI::Option* option : command.get_options()) {
+        if (option->get_items_expected_max() > 0) option->check(something);
+    }
+}
+
 // --help and --version.
 int print(const CLI::App& app, const CLI::ParseError& asked) {
     std::ostringstream out, err;
@@ -161,6 +173,7 @@ void define(CLI::App& app, int& exit_code) {
     add_completion(app, exit_code);
     refuse_values_of_flags(app);
     for (CLI::App* command : app.get_subcommands({})) refuse_values_of_flags(*command);
+    for (CLI::App* command : app.get_subcommands({})) refuse_empty_values(*command);
 }
 
 int parse(CLI::App& app, int argc, char** argv) {

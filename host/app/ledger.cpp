@@ -105,6 +105,12 @@ void Ledger::read_manifest() {
 }
 
 void Ledger::read_journal() {
+    std::error_code ignored;
+    const auto there = fs::symlink_status(folder_ / journal_name, ignored);
+    if (fs::exists(there) && !fs::is_regular_file(there)) {
+        throw Error(fmt::format("'{}' is not what an earlier run leaves, but a link, a folder or a pipe: remove it",
+                                (folder_ / journal_name).string()));
+    }
     std::istringstream journal(text_of(folder_ / journal_name));
     std::string line;
     std::getline(journal, line);

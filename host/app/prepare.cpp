@@ -114,4 +114,12 @@ void prepare_json(const fs::path& file) {
     prepare_folder(fs::absolute(file).parent_path());
 }
 
+void check_json(const RunOptions& options) {
+    std::error_code none_there;
+    for (const fs::path& input : {options.file, options.resume}) {
+        if (options.json.empty() || input.empty() || !fs::equivalent(options.json, input, none_there)) continue;
+        throw Error(fmt::format("--json {} is what the run reads; name another file", options.json.string()));
+    }
+}
+
 }  // namespace pelage::app

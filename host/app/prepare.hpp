@@ -36,4 +36,7 @@ void prepare_folder(const std::filesystem::path&);
 // The same for the folder of --json; an empty path and a device are fine.
 void prepare_json(const std::filesystem::path& file);
 
+// Throws Error where --json would replace what the run reads.
+void check_json(const RunOptions&);
+
 }  // namespace pelage::app

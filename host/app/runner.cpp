@@ -23,6 +23,7 @@
 
 #include <chrono>
 #include <cstdio>
+#include <new>
 #include <type_traits>
 #include <vector>
 
@@ -111,21 +112,25 @@ private:
     // When results cannot be written the run itself need not be lost.
     template <class Write>
     void guarded(const Snapshot& state, Write write) {
+        std::string reason;
         try {
-            write();
+            return write();
         } catch (const Error& error) {
-            progress_.clear();
-            if (tissue_.iteration() == tally_.started_at) throw;
-            std::filesystem::path saved;
-            try {
-                saved = recorder_.checkpoint(state);
-            } catch (const Error&) {
-                throw Error(fmt::format("{}; the state at iteration {} could not be saved either", error.what(),
-                                        state.iteration));
-            }
-            throw Error(fmt::format("{}; the state at iteration {} is safe, go on with:\n  {}", error.what(),
-                                    state.iteration, resume_command(options_, saved, experiment_.run_seed())));
+            reason = error.what();
+        } catch (const std::bad_alloc&) {
+            reason = "there is not enough memory to write the results";
         }
+        progress_.clear();
+        if (tissue_.iteration() == tally_.started_at) throw Error(reason);
+        std::filesystem::path saved;
+        try {
+            saved = recorder_.checkpoint(state);
+        } catch (const Error&) {
+            throw Error(
+                fmt::format("{}; the state at iteration {} could not be saved either", reason, state.iteration));
+        }
+        throw Error(fmt::format("{}; the state at iteration {} is safe, go on with:\n  {}", reason, state.iteration,
+                                resume_command(options_, saved, experiment_.run_seed())));
     }
 
     Snapshot read() {
@@ -257,6 +262,7 @@ int run_experiment(const RunOptions& options) {
     prepare_folder(options.folder());
     const FolderLock lock(options.folder());
     prepare_json(options.json);
+    check_json(options);
     tune_machine(options, prepared, start, machine);
     const std::unique_ptr<Tissue> tissue = machine.backend->make_tissue(prepared.experiment, initial);
     if (prepared.resumed) tissue->write(*prepared.resumed);

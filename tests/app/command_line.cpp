@@ -275,3 +275,30 @@ TEST_CASE("a search without time for anything says so instead of an empty table"
                          Contains("Try again when the machine is less busy"));
     CHECK_THAT(text, !Contains("RANK"));
 }
+
+TEST_CASE("an empty value is refused, not taken for an option that was left out") {
+    const test::Folder folder;
+    const std::string file = folder.write("spots.pex", test::spots);
+    for (const char* option : {"--resume", "--out", "-o", "--json", "--device", "--format", "--seed"}) {
+        const Outcome outcome = command({"run", file, option, ""});
+
+        INFO(option << ": " << outcome.err);
+        CHECK(outcome.exit_code == 2);
+        CHECK_FALSE(outcome.err.empty());
+    }
+    CHECK(command({"verify", "--device", ""}).exit_code == 2);
+    CHECK(command({"check", ""}).exit_code == 2);
+    CHECK(test::names_in(folder.path()).size() == 1);
+}
+
+TEST_CASE("what the run reads is not replaced by --json") {
+    const test::Folder folder;
+    const std::string file = folder.write("spots.pex", test::spots);
+
+    const Outcome outcome =
+        command({"run", file, "--backend", "reference", "--iterations", "2", "--json", file, "--out", folder / "out"});
+
+    CHECK(outcome.exit_code == 2);
+    CHECK_THAT(outcome.err, Contains("is what the run reads"));
+    CHECK(test::read_all(file) == test::spots);
+}

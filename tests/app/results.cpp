@@ -6,6 +6,7 @@
 #include "io/field.hpp"
 #include "io/sha256.hpp"
 
+#include <sys/stat.h>
 #include <catch2/catch.hpp>
 #include <nlohmann/json.hpp>
 
@@ -312,4 +313,22 @@ TEST_CASE("large results are told as they are begun, small ones are not") {
                Contains("writing final.U.npy\n") && Contains("writing final.vti\n"));
     CHECK_THAT(run(small, folder / "b", {"--format", "npy,vti"}).err, !Contains("writing"));
     CHECK(run(large, folder / "c", {"--format", "npy,vti", "--quiet"}).err.empty());
+}
+
+TEST_CASE("a link or a pipe in the place of the journal is refused, and what it leads to stays as it is") {
+    const Folder folder;
+    const std::string file = folder.write("spots.pex", test::spots);
+    folder.write("precious.txt", "precious");
+    std::filesystem::create_directories(folder / "out");
+    const bool pipe = GENERATE(false, true);
+    const std::string journal = folder / "out/.pelage-results";
+    if (pipe) REQUIRE(mkfifo(journal.c_str(), 0600) == 0);
+    if (!pipe) std::filesystem::create_symlink("../precious.txt", journal);
+
+    const Outcome outcome =
+        command({"run", file, "--backend", "reference", "--iterations", "2", "--out", folder / "out"});
+
+    CHECK(outcome.exit_code == 2);
+    CHECK_THAT(outcome.err, Contains(".pelage-results") && Contains("remove it"));
+    CHECK(read_all(folder / "precious.txt") == "precious");
 }
