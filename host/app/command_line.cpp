@@ -172,8 +172,10 @@ void define(CLI::App& app, int& exit_code) {
     add_help(app, exit_code);
     add_completion(app, exit_code);
     refuse_values_of_flags(app);
-    for (CLI::App* command : app.get_subcommands({})) refuse_values_of_flags(*command);
-    for (CLI::App* command : app.get_subcommands({})) refuse_empty_values(*command);
+    for (CLI::App* command : app.get_subcommands({})) {
+        refuse_values_of_flags(*command);
+        refuse_empty_values(*command);
+    }
 }
 
 int parse(CLI::App& app, int argc, char** argv) {

@@ -101,8 +101,7 @@ LastWords words_for(const std::optional<ProcessLimit>& limit) {
 }  // namespace
 
 void tidy_when_killed() {
-    static const LastWords words = words_for(process_limit());
-    last_words = &words;
+    if (last_words == nullptr) last_words = new LastWords(words_for(process_limit()));  // needed to the very end
     const auto unless_chosen = [](int signal) {
         struct sigaction before {};
         if (sigaction(signal, nullptr, &before) == 0 && before.sa_handler == SIG_DFL) handle(signal);

@@ -32,8 +32,9 @@ public:
     explicit TrialWorker(std::vector<std::string> arguments) : arguments_(std::move(arguments)) {}
 
     // Nothing when no answer came within `whole` seconds, or within `running` of them not counting compilation: the
-    // child has been ended then. What a child computes until its candidate has run once counts as compilation, up to a
-    // minute. A child that ends by itself makes the trial Verdict::crashed. The next call starts a new one.
+    // child has been ended then. What a child computes until its candidate has run once counts as compilation, four
+    // times over, for others may be at work on the machine, and up to a minute. A child that ends by itself makes the
+    // trial Verdict::crashed. The next call starts a new one.
     std::optional<tune::Trial> try_out(const tune::Candidate&, double running, double whole = 86'400);
 
 private:

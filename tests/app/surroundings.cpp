@@ -186,7 +186,8 @@ TEST_CASE("a command that is killed leaves no folder, or the next one removes it
     const int signal = GENERATE(SIGTERM, SIGALRM, SIGKILL);
     Child child({"sh", "-c",
                  "exec " + user.start("") + "run " + user.file + " --backend opencl --no-cache --quiet " +
-                     "--no-tune --no-self-test --iterations 400000000 --checkpoint-every 500 --out " + (user.folder / "out").string()});
+                     "--no-tune --no-self-test --iterations 400000000 --checkpoint-every 500 --out " +
+                     (user.folder / "out").string()});
     REQUIRE(test::wait_for(user.folder / "out" / "checkpoint.pelage", child));
     CHECK(test::names_in(user.temporary()).size() == 1);
     CHECK(shell(user.start("") + "devices").exit_code == 0);

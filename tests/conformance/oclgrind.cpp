@@ -82,7 +82,8 @@ TEST_CASE("Oclgrind finds nothing in random numbers, sort and scan") {
 TEST_CASE("Oclgrind finds nothing in the neighbour search") { nothing_to_report({"neighbours/special"}); }
 
 TEST_CASE("Oclgrind finds nothing in diffusion and in uneven and polarized rates") {
-    nothing_to_report({"diffusion/nine-point", "diffusion/published", "rates/uneven/published", "rates/polarized/five"});
+    nothing_to_report(
+        {"diffusion/nine-point", "diffusion/published", "rates/uneven/published", "rates/polarized/five"});
 }
 
 TEST_CASE("Oclgrind finds nothing in reactions, rules and bounds") {

@@ -29,9 +29,7 @@ TEST_CASE("float: uneven rates") { check_cases("rates/uneven", single); }
 TEST_CASE("float: rules") { check_cases("rules/", single); }
 TEST_CASE("float: growth") { check_cases("growth/", single); }
 
-TEST_CASE("double: diffusion") {
-    check_cases("diffusion/", twice, {0, 3});
-}
+TEST_CASE("double: diffusion") { check_cases("diffusion/", twice, {0, 3}); }
 TEST_CASE("double: every reaction") { check_cases("reaction/", twice, {0, 2}); }
 TEST_CASE("double: rates") { check_cases("rates/uneven", twice); }
 TEST_CASE("double: polarized cells") { check_cases("rates/polarized/published", twice); }

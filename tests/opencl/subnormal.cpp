@@ -1,7 +1,7 @@
 // Subnormal numbers on the device: the permission to take them for 0, the use it makes of it, and states that hold
 // them.
-#include "opencl/backend.hpp"
 #include "opencl/device/subnormal.hpp"
+#include "opencl/backend.hpp"
 
 #include "core/prepattern.hpp"
 #include "core/subnormal.hpp"

@@ -44,13 +44,10 @@ void FusedStep::swap_planes(LatticeState& state) const {
 void FusedStep::set_arguments(LatticeState& state, const cl::Buffer& parameters, const FusedLaunch& launch,
                               std::uint64_t first) {
     Arguments arguments(session_, kernel_);
-    const auto add = [&](Planes& planes, bool written) {
-        arguments.add(planes.now(), written ? planes.next() : planes.now());
-    };
-    add(state.conc(), true);
-    add(state.rates(), writes_rates_);
-    add(state.polarity(), writes_polarity_);
-    add(state.mappings(), writes_mappings_);
+    state.conc().add_to(arguments, true);
+    state.rates().add_to(arguments, writes_rates_);
+    state.polarity().add_to(arguments, writes_polarity_);
+    state.mappings().add_to(arguments, writes_mappings_);
     arguments.add(state.birth().now(), state.neighbours().now(), state.places(), parameters);
     const Grid& grid = state.grid();
     arguments.add(grid.columns, grid.rows, grid.pitch(), launch.vectors, launch.strip);

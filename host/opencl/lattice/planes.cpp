@@ -7,7 +7,6 @@
 
 #include <algorithm>
 #include <type_traits>
-#include "opencl/device/launch.hpp"
 
 namespace pelage {
 
@@ -88,6 +87,8 @@ cl::Buffer Planes::roomy(std::size_t needed) {
         return zeroed();
     }
 }
+
+void Planes::add_to(Arguments& arguments, bool written) { arguments.add(now(), written ? next() : now()); }
 
 const cl::Buffer& Planes::next() {
     if (next_() == nullptr) {

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "core/growth.hpp"
+#include "opencl/device/launch.hpp"
 #include "opencl/device/session.hpp"
 
 #include <cstddef>
@@ -57,6 +58,8 @@ public:
     const cl::Buffer& now() const { return now_; }
     const cl::Buffer& next();  // with zeros where a plane has no cells
     void swap() { std::swap(now_, next_); }
+    // now() and, where the kernel writes the next state, next(); else now() twice.
+    void add_to(Arguments&, bool written);
 
     bool integers() const { return integers_; }
 

@@ -137,12 +137,9 @@ std::string LatticeStep::describe() const {
 void LatticeStep::set_arguments(LatticeState& state, const cl::Buffer& parameters, const LaunchShape& shape,
                                 std::uint64_t first, std::uint64_t steps) {
     Arguments arguments(session_, kernel_);
-    const auto add = [&](Planes& planes, bool written) {
-        arguments.add(planes.now(), written ? planes.next() : planes.now());
-    };
-    add(state.conc(), true);
-    add(state.rates(), writes_rates_);
-    add(state.polarity(), writes_polarity_);
+    state.conc().add_to(arguments, true);
+    state.rates().add_to(arguments, writes_rates_);
+    state.polarity().add_to(arguments, writes_polarity_);
     arguments.add(state.mappings().now(), state.birth().now(), state.neighbours().now(), state.places(), parameters);
     const Grid& grid = state.grid();
     arguments.add(grid.columns, grid.rows, grid.pitch(), shape.band);
