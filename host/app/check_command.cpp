@@ -29,9 +29,12 @@ struct CheckOptions {
     bool strict = false;
 };
 
-void explain_fusion(const Experiment& experiment) {
+void explain_paths(const Experiment& experiment) {
     if (!std::holds_alternative<Lattice>(space_of(experiment))) return;
-    for (const std::string& line : explain_lattice(experiment, initial_state(experiment), Precision::single_)) {
+    const DeviceInfo processor = usual_processor();
+    const Snapshot initial = initial_state(experiment);
+    say("  on a processor of {}:\n", counted(processor.processors, "thread"));
+    for (const std::string& line : explain_lattice(experiment, initial, Precision::single_, processor)) {
         say("  {}\n", line);
     }
 }
@@ -49,7 +52,7 @@ std::size_t check_file(const std::string& file, bool explain) {
     print_warnings(experiment, warnings);
     if (explain) {
         for (const std::string& note : change_notes(experiment)) say("  {}\n", note);
-        explain_fusion(experiment);
+        explain_paths(experiment);
     }
     return warnings.size();
 }
@@ -79,8 +82,8 @@ void add_check(CLI::App& app, int& exit_code) {
     command->add_flag("--strict", options->strict, "Exit code 1 where there are warnings");
     command->add_flag(
         "--explain", options->explain,
-        "Say of lattices which iterations are fused on CPUs, and why others are not; and what `change` adds in a "
-        "unit of time");
+        "Say of lattices how a processor carries out their iterations, and why; and what `change` adds in a unit of "
+        "time");
     command->callback([options, &exit_code] { exit_code = check(*options); });
 }
 

@@ -136,7 +136,7 @@ void add_result_options(CLI::App& command, RunOptions& options) {
     command.add_flag("--polarity-marks", options.polarity_marks, "Draw a line along each free cell's polarity");
     command.add_option("--json", options.json, "Write the manifest to this file too")->type_name("FILE");
     command.add_flag("--explain", options.explain,
-                     "Say in the end how the iterations of a lattice were carried out: fused or not, and why");
+                     "Say in the end how the iterations of a lattice were carried out, and why");
     command.add_flag("--quiet", options.quiet, "Say nothing but errors");
 }
 

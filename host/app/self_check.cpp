@@ -31,7 +31,7 @@ std::string key_of(const OpenclOptions& options, const DeviceInfo& device, const
         "{} to {}, {} x {}, {} cells\n{}",
         device.name, device.version, device.driver, device.platform_version, own_checksum(),
         options.precision == Precision::double_ ? "double" : "float", options.fast ? "fast" : "exact",
-        static_cast<int>(options.neighbours), static_cast<int>(options.fusion), options.width, options.work_group,
+        static_cast<int>(options.neighbours), static_cast<int>(options.path), options.width, options.work_group,
         cut.depth, cut.columns, cut.rows, cut.group, initial.iteration, last, initial.columns, initial.rows,
         initial.cells(), experiment.text);
 }

@@ -37,7 +37,7 @@ Line line_of(const Trial& trial, std::size_t rank, double defaults) {
     const Candidate& candidate = trial.candidate;
     const bool good = trial.verdict == Verdict::good;
     return {good ? std::to_string(rank) : "-",
-            tune::kernel_name(candidate.fusion),
+            candidate == Candidate{} ? "defaults" : word(candidate.path),
             number_or_dash(candidate.width),
             number_or_dash(candidate.cut.depth),
             across(candidate),

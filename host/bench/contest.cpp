@@ -142,7 +142,7 @@ private:
 
 DeviceSessions open_device(const DeviceInfo& info) {
     OpenclOptions plain, step, fast;
-    plain.fusion = step.fusion = Fusion::never;
+    plain.path = step.path = Path::step;
     plain.width = 1;
     fast.fast = true;
     return {std::make_shared<const Session>(info, plain), std::make_shared<const Session>(info, step),

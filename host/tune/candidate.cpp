@@ -8,42 +8,28 @@
 
 #include <algorithm>
 #include <array>
-#include <utility>
 
 namespace pelage::tune {
 
 namespace {
 
-constexpr std::array<std::pair<Fusion, const char*>, 5> kernels{{{Fusion::automatic, "defaults"},
-                                                                 {Fusion::always, "streamed"},
-                                                                 {Fusion::shared, "shared"},
-                                                                 {Fusion::tiled, "tiled"},
-                                                                 {Fusion::never, "plain"}}};
-
-Fusion kernel_named(const std::string& name) {
-    for (const auto& [fusion, word] : kernels) {
-        if (name == word) return fusion;
-    }
-    throw Error("there is no kernel '" + name + "' to tune");
+Path path_named(const std::string& name) {
+    const auto found = std::ranges::find(path_words, name);
+    if (found == path_words.end()) throw Error("there is no kernel '" + name + "' to tune");
+    return static_cast<Path>(found - path_words.begin());
 }
 
 }  // namespace
 
-std::string kernel_name(Fusion fusion) {
-    for (const auto& [kernel, word] : kernels) {
-        if (fusion == kernel) return word;
-    }
-    return "unknown";
-}
-
 std::string Candidate::text() const {
-    std::string words = kernel_name(fusion);
+    if (*this == Candidate{}) return "defaults";
+    std::string words = word(path);
     const auto add = [&](const char* before, std::size_t value, const char* after) {
         if (value != 0) words += fmt::format(", {}{}{}", before, value, after);
     };
     add("width ", width, "");
     add("depth ", cut.depth, "");
-    if (fusion == Fusion::tiled) {
+    if (path == Path::tiled) {
         if (cut.columns != 0 || cut.rows != 0) words += fmt::format(", tiles of {} x {}", cut.columns, cut.rows);
     } else {
         add("", cut.columns, " columns");
@@ -54,24 +40,24 @@ std::string Candidate::text() const {
 }
 
 OpenclOptions applied(const Candidate& candidate, OpenclOptions options) {
-    options.fusion = candidate.fusion;
+    options.path = candidate.path;
     options.width = candidate.width;
     options.cut = candidate.cut;
-    if (candidate.fusion == Fusion::never && candidate.cut.group != 0) options.work_group = candidate.cut.group;
+    if (candidate.path == Path::step && candidate.cut.group != 0) options.work_group = candidate.cut.group;
     return options;
 }
 
-Candidate plain_kernel() { return {Fusion::never, 1, {}}; }
+Candidate single_step() { return {Path::step, 1, {}}; }
 
 nlohmann::ordered_json to_json(const Candidate& candidate) {
-    return {{"kernel", kernel_name(candidate.fusion)}, {"width", candidate.width},   {"depth", candidate.cut.depth},
-            {"columns", candidate.cut.columns},        {"rows", candidate.cut.rows}, {"group", candidate.cut.group}};
+    return {{"kernel", word(candidate.path)},   {"width", candidate.width},   {"depth", candidate.cut.depth},
+            {"columns", candidate.cut.columns}, {"rows", candidate.cut.rows}, {"group", candidate.cut.group}};
 }
 
 Candidate candidate_from_json(const nlohmann::ordered_json& json) {
     try {
         Candidate candidate;
-        candidate.fusion = kernel_named(json.at("kernel").get<std::string>());
+        candidate.path = path_named(json.at("kernel").get<std::string>());
         candidate.width = json.at("width").get<std::size_t>();
         candidate.cut.depth = json.at("depth").get<std::size_t>();
         candidate.cut.columns = json.at("columns").get<std::size_t>();

@@ -14,20 +14,18 @@
 namespace pelage::tune {
 
 struct Candidate {  // as it is made: what a run takes without tuning
-    Fusion fusion = Fusion::automatic;
+    Path path = Path::automatic;
     std::size_t width = 0;
-    LatticeCut cut;  // a plain kernel has a group alone
+    LatticeCut cut;  // a single step has a group alone
 
     bool operator==(const Candidate&) const = default;
     std::string text() const;  // "streamed, width 16, depth 24, 256 columns, blocks of 8 rows"; "defaults"
 };
 
-std::string kernel_name(Fusion);  // "defaults", "streamed", "shared", "tiled", "plain"
-
 OpenclOptions applied(const Candidate&, OpenclOptions);
 
 // One launch an iteration, one cell a work-item: what every other candidate's bits are compared with.
-Candidate plain_kernel();
+Candidate single_step();
 
 nlohmann::ordered_json to_json(const Candidate&);
 Candidate candidate_from_json(const nlohmann::ordered_json&);  // throws Error

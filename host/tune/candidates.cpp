@@ -1,5 +1,5 @@
 // What there is to try on each kind of device.
-#include "opencl/lattice/step.hpp"
+#include "opencl/lattice/choice.hpp"
 #include "tune/candidate.hpp"
 
 #include <algorithm>
@@ -15,11 +15,11 @@ void add(Candidates& list, const Candidate& candidate) {
 }
 
 Candidate streamed(std::size_t width, std::size_t depth, std::size_t columns, std::size_t rows) {
-    return {Fusion::always, width, {depth, columns, rows, 0}};
+    return {Path::streamed, width, {depth, columns, rows, 0}};
 }
 
 Candidate tiled(std::size_t depth, std::size_t columns, std::size_t rows, std::size_t group) {
-    return {Fusion::tiled, 0, {depth, columns, rows, group}};
+    return {Path::tiled, 0, {depth, columns, rows, group}};
 }
 
 Candidates for_processors(std::size_t width, Effort effort) {
@@ -27,7 +27,7 @@ Candidates for_processors(std::size_t width, Effort effort) {
     Candidates list{{},
                     streamed(width, 24, 256, 8),
                     streamed(width, 16, 512, 8),
-                    {Fusion::shared, width, {}},
+                    {Path::shared, width, {}},
                     streamed(width, 32, 512, 4),
                     streamed(half, 16, 256, 8),
                     streamed(width, 16, 128, 16),
@@ -39,8 +39,8 @@ Candidates for_processors(std::size_t width, Effort effort) {
                 for (const std::size_t rows : {4u, 8u, 16u}) add(list, streamed(across, depth, columns, rows));
             }
         }
-        add(list, {Fusion::shared, across, {}});
-        add(list, {Fusion::never, across, {}});
+        add(list, {Path::shared, across, {}});
+        add(list, {Path::step, across, {}});
     }
     return list;
 }
@@ -50,17 +50,17 @@ Candidates for_others(Effort effort) {
                     tiled(4, 32, 32, 256),
                     tiled(6, 32, 32, 256),
                     tiled(4, 64, 16, 256),
-                    {Fusion::never, 1, {0, 0, 0, 256}},
+                    {Path::step, 1, {0, 0, 0, 256}},
                     tiled(2, 64, 16, 128),
                     tiled(8, 32, 32, 256),
                     tiled(4, 32, 16, 64),
-                    {Fusion::never, 2, {0, 0, 0, 128}},
-                    {Fusion::always, 0, {8, 0, 0, 64}},
+                    {Path::step, 2, {0, 0, 0, 128}},
+                    {Path::streamed, 0, {8, 0, 0, 64}},
                     tiled(6, 64, 16, 256),
-                    {Fusion::never, 4, {0, 0, 0, 64}}};
+                    {Path::step, 4, {0, 0, 0, 64}}};
     if (effort == Effort::quick) return list;
     for (const std::size_t width : {1u, 2u, 4u}) {
-        for (const std::size_t group : {32u, 64u, 128u, 256u}) add(list, {Fusion::never, width, {0, 0, 0, group}});
+        for (const std::size_t group : {32u, 64u, 128u, 256u}) add(list, {Path::step, width, {0, 0, 0, group}});
     }
     for (const std::size_t depth : {2u, 4u, 6u, 8u}) {
         for (const std::size_t columns : {16u, 32u, 64u}) {
@@ -70,7 +70,7 @@ Candidates for_others(Effort effort) {
         }
     }
     for (const std::size_t depth : {4u, 8u, 16u}) {
-        for (const std::size_t group : {64u, 128u, 256u}) add(list, {Fusion::always, 0, {depth, 0, 0, group}});
+        for (const std::size_t group : {64u, 128u, 256u}) add(list, {Path::streamed, 0, {depth, 0, 0, group}});
     }
     return list;
 }
@@ -78,7 +78,7 @@ Candidates for_others(Effort effort) {
 }  // namespace
 
 std::vector<Candidate> candidates(const DeviceInfo& device, Precision precision, Effort effort) {
-    if (is_cpu(device)) return for_processors(vector_lanes(device, precision), effort);
+    if (device.processor()) return for_processors(vector_lanes(device, precision), effort);
     Candidates list = for_others(effort);
     const std::size_t most = std::max<std::size_t>(1, device.max_work_group);
     std::erase_if(list, [&](const Candidate& candidate) { return candidate.cut.group > most; });

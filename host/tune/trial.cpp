@@ -4,6 +4,7 @@
 #include "core/error.hpp"
 #include "opencl/device/cl_error.hpp"
 #include "opencl/device/session.hpp"
+#include "opencl/lattice/choice.hpp"
 #include "opencl/lattice/tissue.hpp"
 #include "verify/tally.hpp"
 
@@ -23,8 +24,8 @@ namespace {
 constexpr double loose = 1e-3;
 constexpr std::size_t usual_depth = 24;  // of candidates that leave it open
 constexpr int stretches = 3;
-// The defaults go over to their best kernel only after so much work (see opencl/lattice/tissue.cpp).
-constexpr double settling_updates = 2.5e8;
+// The defaults go over to their best kernel only after some work.
+constexpr double settling_updates = 1.25 * streamed_after;
 constexpr double settling_seconds = 1.0;
 constexpr std::size_t settled_bytes = 1 << 20;  // lattices that any cache holds have one kernel from the beginning
 
@@ -49,11 +50,7 @@ std::string how_of(const Tissue& tissue) {
 
 // Whether what was carried out is what the candidate stands for.
 bool is_what_it_says(const Candidate& candidate, const std::string& how) {
-    if (how.empty()) return true;
-    const auto says = [&](const char* part) { return how.find(part) != std::string::npos; };
-    if (candidate.fusion == Fusion::always) return says("streamed") && !says("not streamed");
-    if (candidate.fusion == Fusion::tiled) return says("tile") && !says("not tiled");
-    return true;
+    return how.empty() || candidate.path == Path::automatic || how.starts_with(word(candidate.path));
 }
 
 // Runs on and on over the timed iterations.
@@ -204,7 +201,7 @@ const Snapshot& TestStand::expected_after(std::uint64_t iterations) {
     const auto known = expected_.find(iterations);
     if (known != expected_.end()) return known->second;
     const Stage& stage = problem_.verified;
-    const Subject subject = begin_(applied(plain_kernel(), options_), stage.experiment, stage.start);
+    const Subject subject = begin_(applied(single_step(), options_), stage.experiment, stage.start);
     subject.tissue->advance(iterations);
     return expected_.emplace(iterations, subject.tissue->read()).first->second;
 }
@@ -212,7 +209,7 @@ const Snapshot& TestStand::expected_after(std::uint64_t iterations) {
 bool TestStand::settles(const Candidate& candidate) const {
     const Snapshot& start = problem_.timed.start;
     const std::size_t scalar = options_.precision == Precision::double_ ? 8 : 4;
-    return candidate.fusion == Fusion::automatic && 2 * scalar * start.conc.size() * start.cells() > settled_bytes;
+    return candidate.path == Path::automatic && 2 * scalar * start.conc.size() * start.cells() > settled_bytes;
 }
 
 double TestStand::speed(const Candidate& candidate, const std::function<void()>& running) {

@@ -17,7 +17,7 @@ namespace pelage::tune {
 enum class Verdict {
     good,
     unfit,    // the device or the rules do not allow it: something else was carried out instead
-    wrong,    // other bits than the plain kernel's
+    wrong,    // other bits than single steps give
     refused,  // an Error: no such work-group, too little local memory, ...
     crashed,  // the process that tried it ended
     hung      // it did not come to an end
@@ -52,7 +52,7 @@ public:
     // `options`: device, precision and whatever else all candidates share. `seconds`: of one stretch that is timed.
     TestStand(Problem, OpenclOptions options, Begin = begin_on_device, double seconds = 0.06);
 
-    // Runs the candidate and the plain kernel from one state through full and partial passes and compares every value,
+    // Runs the candidate and single steps from one state through full and partial passes and compares every value,
     // bit for bit; with options.fast within 1e-3. Only then are three stretches timed, of which the shortest counts.
     // Never throws Error for what a candidate does. `running` is told when all that the candidate needs is compiled and
     // has run once.
@@ -69,7 +69,7 @@ private:
     OpenclOptions options_;
     Begin begin_;
     double seconds_;
-    std::map<std::uint64_t, Snapshot> expected_;  // of the plain kernel, by iterations
+    std::map<std::uint64_t, Snapshot> expected_;  // of single steps, by iterations
 };
 
 }  // namespace pelage::tune

@@ -56,18 +56,18 @@ bool moved_on(const Snapshot& before, const Snapshot& after) {
 }
 
 std::vector<Setting> settings_of(const CellCase& one, const Place& place) {
-    std::vector<Setting> settings{{}, {.fusion = Fusion::shared}, {}};  // the first twice
+    std::vector<Setting> settings{{}, {.path = Path::shared}, {}};  // the first twice
     const std::size_t group = std::min<std::size_t>(5, place.device().max_work_group);
     if (place.full() || one.name == "cells/divide-in-several-ways") {
         settings.push_back({.work_group = group});
-        settings.push_back({.fusion = Fusion::shared, .work_group = group});
+        settings.push_back({.path = Path::shared, .work_group = group});
     }
     if (!place.full()) return settings;
     settings.push_back({.width = 1});
-    settings.push_back({.fusion = Fusion::shared, .width = 1});
+    settings.push_back({.path = Path::shared, .width = 1});
     if (!place.device().fp64) return settings;
     settings.push_back({.precision = Precision::double_});
-    settings.push_back({.precision = Precision::double_, .fusion = Fusion::shared});
+    settings.push_back({.precision = Precision::double_, .path = Path::shared});
     return settings;
 }
 
@@ -165,7 +165,7 @@ std::vector<Check> cell_checks() {
         checks.push_back({one.name, one.divides() ? "division" : "cell step", quick(one.name), run});
     }
     checks.push_back({"cells/mirror-pairs", "cell step", true, [](Place& place) {
-                          return check_cells(mirrored, place, {{}, {.fusion = Fusion::shared}}, pair_cells);
+                          return check_cells(mirrored, place, {{}, {.path = Path::shared}}, pair_cells);
                       }});
     checks.push_back({late.name, "cell step", true,
                       [](Place& place) { return check_cells(late, place, settings_of(late, place), make_late); }});

@@ -32,9 +32,7 @@ std::string Setting::text() const {
     std::string text;
     const auto put = [&](const std::string& part) { text += text.empty() ? part : ", " + part; };
     if (precision == Precision::double_) put("double");
-    if (fusion == Fusion::always) put("streamed");
-    if (fusion == Fusion::shared) put("shared");
-    if (fusion == Fusion::tiled) put("tiled");
+    if (path != Path::step) put(word(path));
     if (work_group != 0) put(fmt::format("work-group {}", work_group));
     if (search == NeighbourSearch::spatial_sorting) put("spatial sorting");
     if (width != 0) put(fmt::format("width {}", width));
@@ -51,7 +49,7 @@ OpenclBackend& Place::backend(const Setting& setting) {
         options.device = std::to_string(device_.index);
         options.guarded = true;
         options.precision = setting.precision;
-        options.fusion = setting.fusion;
+        options.path = setting.path;
         options.work_group = setting.work_group;
         options.width = setting.width;
         options.variants = setting.variants;

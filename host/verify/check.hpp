@@ -20,7 +20,7 @@ namespace pelage::verify {
 // Which kernel variant a state comes from. None of these may change a bit, but for the precision.
 struct Setting {
     Precision precision = Precision::single_;
-    Fusion fusion = Fusion::never;
+    Path path = Path::step;
     std::size_t work_group = 0;  // 0: as a run would choose it
     std::size_t width = 0;
     std::size_t variants = 16;
@@ -28,7 +28,7 @@ struct Setting {
     NeighbourSearch search = NeighbourSearch::bins;  // of free cells
 
     auto operator<=>(const Setting&) const = default;
-    std::string text() const;  // "float", "double, fused", "float, work-group 3"; empty for the default
+    std::string text() const;  // "double", "double, streamed", "work-group 3"; empty for the default
 };
 
 // The device under test: every buffer is guarded, every output poisoned. Not for several threads.

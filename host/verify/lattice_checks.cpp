@@ -48,9 +48,9 @@ constexpr std::array<std::string_view, 22> quick_cases{"rules/whole-numbers/fuse
                                                        "growth/by/wrap",
                                                        "values/denormal/published",
                                                        "sizes/many-rows"};
-// Of these also with a second work-group size, and fused.
+// Of these also with a second work-group size, and on the other paths.
 constexpr std::array<std::string_view, 2> quick_groups{"diffusion/nine-point/no-flux", "diffusion/published/open"};
-constexpr std::array<std::string_view, 2> quick_fused{"rules/draws/fused", "growth/plain/no-flux"};
+constexpr std::array<std::string_view, 2> quick_streamed{"rules/draws/fused", "growth/plain/no-flux"};
 constexpr std::array<std::string_view, 3> quick_shared{"diffusion/nine-point/wrap", "rates/uneven/published/open",
                                                        "growth/plain/no-flux"};
 constexpr std::array<std::string_view, 2> quick_tiled{"diffusion/nine-point/no-flux",
@@ -227,7 +227,7 @@ private:
     bool bounded_ = false;
 };
 
-std::vector<Setting> plain_settings(const Case& one, const Place& place) {
+std::vector<Setting> step_settings(const Case& one, const Place& place) {
     // The quick form compiles few programs: after the first set of rules one that tests at run time which of them act.
     std::vector<Setting> settings{{.variants = place.full() ? Setting{}.variants : 1}};
     // CPUs run one work-item a group, other devices 64 at most.
@@ -252,8 +252,8 @@ bool only_weights_differ(const std::string& name) {
 std::vector<Check> lattice_checks() {
     std::vector<Check> checks;
     for (const Case& one : lattice_cases()) {
-        const auto plain = [&one](Place& place) { return LatticeCheck(one, place).run(plain_settings(one, place)); };
-        checks.push_back({one.name, kernel_of(one.name), among(one.name, quick_cases), plain});
+        const auto step = [&one](Place& place) { return LatticeCheck(one, place).run(step_settings(one, place)); };
+        checks.push_back({one.name, kernel_of(one.name), among(one.name, quick_cases), step});
     }
     const auto add = [&](const char* prefix, const char* kernel, Setting setting, const auto& quick) {
         setting.variants = 1;
@@ -264,9 +264,9 @@ std::vector<Check> lattice_checks() {
         }
     };
     // Bands so narrow that the larger sizes have several with margins, and the smaller ones one without.
-    add("fused/", "fused steps", {.fusion = Fusion::always, .columns = 32}, quick_fused);
-    add("tiled/", "tiles", {.fusion = Fusion::tiled}, quick_tiled);
-    add("shared/", "shared steps", {.fusion = Fusion::shared}, quick_shared);
+    add("streamed/", "streamed steps", {.path = Path::streamed, .columns = 32}, quick_streamed);
+    add("tiled/", "tiled steps", {.path = Path::tiled}, quick_tiled);
+    add("shared/", "shared steps", {.path = Path::shared}, quick_shared);
     return checks;
 }
 

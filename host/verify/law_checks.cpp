@@ -78,12 +78,12 @@ void conclude(Outcome& outcome) {
 Outcome symmetric(Place& place, const std::string& name, const std::vector<Turn>& turns, std::uint64_t seed) {
     Outcome outcome;
     const Start from = start(name, seed);
-    for (const Fusion fusion : {Fusion::never, Fusion::always}) {
-        if (fusion == Fusion::always && !place.full()) continue;
-        const Snapshot straight = after(place, {.fusion = fusion}, from);
+    for (const Path path : {Path::step, Path::streamed}) {
+        if (path == Path::streamed && !place.full()) continue;
+        const Snapshot straight = after(place, {.path = path}, from);
         for (std::size_t i = 0; i < turns.size(); ++i) {
             const Start other{from.experiment, turned(from.state, turns[i])};
-            add(outcome.tally, turned(straight, turns[i]), after(place, {.fusion = fusion}, other), Precision::single_,
+            add(outcome.tally, turned(straight, turns[i]), after(place, {.path = path}, other), Precision::single_,
                 fmt::format("{}, symmetry {}", name, i + 1));
         }
     }

@@ -2,17 +2,18 @@
 #include "verify/self_test.hpp"
 
 #include "core/columns.hpp"
-#include "core/forecast.hpp"
+#include "core/lattice.hpp"
 #include "core/schedule.hpp"
 #include "opencl/backend.hpp"
 #include "opencl/cells/together.hpp"
-#include "opencl/lattice/step.hpp"
+#include "opencl/lattice/choice.hpp"
 #include "reference/backend.hpp"
 #include "verify/tally.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <optional>
 #include <set>
 #include <variant>
 #include <vector>
@@ -71,30 +72,54 @@ std::vector<std::uint64_t> beginnings(const Experiment& experiment, std::uint64_
 }
 
 // The forms of free cells' steps that a run may take: it changes over when a small tissue has grown.
-std::vector<Fusion> forms_of_cells(const OpenclOptions& options, const Experiment& experiment,
-                                   const Snapshot& initial) {
+std::vector<Path> forms_of_cells(const OpenclOptions& options, const DeviceInfo& device, const Experiment& experiment,
+                                 const Snapshot& initial) {
     CellsOptions cells;
     cells.search = options.neighbours;
-    if (options.fusion != Fusion::automatic || cells.approximate()) return {options.fusion};
+    if (options.path != Path::automatic || cells.approximate()) return {options.path};
     const bool grows = std::ranges::any_of(
         experiment.rules, [](const Rule& rule) { return std::holds_alternative<Divide>(rule.action); });
-    const DeviceInfo device = select_device(options.device);
-    if (!cells_step_together(device, Fusion::automatic, cells, initial.cells(), grows)) return {Fusion::never};
-    if (!grows) return {Fusion::shared};
-    return {Fusion::shared, Fusion::never};
+    if (!cells_step_together(device, Path::automatic, cells, initial.cells(), grows)) return {Path::step};
+    if (!grows) return {Path::shared};
+    return {Path::shared, Path::step};
 }
 
-// Whether a run may take a streamed program for the rules that act at `iteration`.
-bool may_stream(const OpenclOptions& options, const Experiment& experiment, const Snapshot& initial,
-                std::uint64_t iteration, std::uint64_t last) {
-    if (options.fusion != Fusion::automatic || !initial.lattice()) return false;
-    const std::vector<bool> active = active_rules(experiment, iteration);
-    const std::uint64_t end = std::min(last, end_of_set(experiment, active, iteration));
-    const double cells = std::max(final_cells(experiment, end), static_cast<double>(initial.cells()));
-    const double scalar = options.precision == Precision::double_ ? 8 : 4;
-    const double bytes = 2 * scalar * static_cast<double>(experiment.chemicals.size()) * cells;
-    return streaming_pays(experiment, active, iteration, cells, caches_hold(select_device(options.device), bytes), 0);
-}
+// The paths that a run over a lattice may take with each set of rules: the one for so small a piece, and the one for
+// the whole, which it changes over to.
+class LatticeForms {
+public:
+    LatticeForms(const OpenclOptions& options, const DeviceInfo& device, const Experiment& experiment,
+                 const Snapshot& initial)
+        : options_(options),
+          device_(device),
+          experiment_(experiment),
+          plan_(lattice_plan(experiment, initial)),
+          cells_(static_cast<double>(initial.cells())) {
+        const RuleUse every = use_of(std::vector<bool>(experiment.rules.size(), true));
+        bytes_ = bytes_a_cell(experiment, plan_, every, options.precision);
+    }
+
+    std::vector<Path> at(std::uint64_t iteration) const {
+        const std::vector<bool> active = active_rules(experiment_, iteration);
+        const RuleNeeds needs = rule_needs(experiment_, plan_, use_of(active));
+        const Path small = choose(device_, needs, {}, options_).path;
+        const Work work = foreseen_work(experiment_, active, iteration, cells_, bytes_);
+        const Path whole = choose(device_, needs, work, options_).path;
+        return whole == small ? std::vector{options_.path} : std::vector{options_.path, whole};
+    }
+
+private:
+    RuleUse use_of(const std::vector<bool>& active) const {
+        return emit_rules(experiment_, active, options_.precision).use;
+    }
+
+    const OpenclOptions& options_;
+    const DeviceInfo& device_;
+    const Experiment& experiment_;
+    LatticePlan plan_;
+    double cells_;
+    double bytes_ = 0;
+};
 
 std::string difference(const OpenclOptions& options, const Experiment& experiment, const Snapshot& start) {
     const auto backend = opencl_backend(options);
@@ -134,17 +159,18 @@ Snapshot small_piece(const Snapshot& whole) {
 
 std::string self_test(const OpenclOptions& options, const Experiment& experiment, const Snapshot& initial,
                       std::uint64_t last) {
+    const DeviceInfo device = select_device(options.device);
+    std::optional<LatticeForms> lattice;
+    if (initial.lattice()) lattice.emplace(options, device, experiment, initial);
     Snapshot start = small_piece(initial);
     for (const std::uint64_t iteration : beginnings(experiment, initial.iteration, last, options.variants)) {
         start.iteration = iteration;
-        std::vector<Fusion> kinds{options.fusion};
-        if (!initial.lattice()) kinds = forms_of_cells(options, experiment, initial);
-        if (may_stream(options, experiment, initial, iteration, last)) kinds.push_back(Fusion::always);
-        for (const Fusion fusion : kinds) {
+        for (const Path path :
+             lattice ? lattice->at(iteration) : forms_of_cells(options, device, experiment, initial)) {
             OpenclOptions own = options;
-            own.fusion = fusion;
+            own.path = path;
             const std::string found = difference(own, experiment, start);
-            if (!found.empty()) return found + (fusion == Fusion::always ? " (streamed)" : "");
+            if (!found.empty()) return path == options.path ? found : fmt::format("{} ({})", found, word(path));
         }
     }
     return {};

@@ -116,7 +116,7 @@ TEST_CASE("tune prints a table, keeps a record, and remembers it until told to f
     CHECK_THAT(second.out, Contains("Remembered"));
     CHECK(record.at("exhaustive") == false);
     CHECK(record.at("trials").size() >= 1);
-    CHECK(record.at("trials")[0].at("candidate").at("kernel") == "defaults");
+    CHECK(record.at("trials")[0].at("candidate").at("kernel") == "automatic");
     CHECK(record.at("key").at("size") == "32 x 16");
     CHECK(record == json_in(folder / "trials.json"));
     CHECK(record == json_in(record_in(folder)));

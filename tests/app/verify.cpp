@@ -35,7 +35,7 @@ TEST_CASE("verify finds nothing wrong with this device, in the quick form") {
 
     INFO(outcome.out << outcome.err);
     REQUIRE(outcome.exit_code == 0);
-    CHECK_THAT(outcome.out, Contains("KERNEL") && Contains("fused steps") && Contains("VERDICT"));
+    CHECK_THAT(outcome.out, Contains("KERNEL") && Contains("streamed steps") && Contains("VERDICT"));
     const auto report = nlohmann::json::parse(read_all(folder / "report.json"));
     for (const char* key : {"device", "driver", "platform", "build_options", "version", "seed"}) {
         CHECK(report.contains(key));
@@ -79,7 +79,7 @@ TEST_CASE("verify --list names the checks of a form") {
     const Outcome full = command({"verify", "--list", "--full"});
 
     CHECK(quick.exit_code == 0);
-    CHECK_THAT(quick.out, Contains("diffusion/nine-point/wrap") && Contains("fused/"));
+    CHECK_THAT(quick.out, Contains("diffusion/nine-point/wrap") && Contains("streamed/"));
     CHECK(full.out.size() > 2 * quick.out.size());
 }
 

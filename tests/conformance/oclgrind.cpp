@@ -91,7 +91,7 @@ TEST_CASE("Oclgrind finds nothing in reactions, rules and bounds") {
 }
 
 TEST_CASE("Oclgrind finds nothing in fused iterations and in growth") {
-    nothing_to_report({"fused/growth", "shared/growth", "laws/projection"});
+    nothing_to_report({"streamed/growth", "shared/growth", "laws/projection"});
 }
 
 TEST_CASE("Oclgrind finds nothing in the steps of free cells") { nothing_to_report({"cells/turing", "not-finite"}); }

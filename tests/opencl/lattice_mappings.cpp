@@ -21,7 +21,7 @@ TEST_CASE("A mapping outlives its rule while another one is written") {
         "mappings.pex", ".");
     const Snapshot initial = initial_state(experiment);
     OpenclOptions options;
-    options.fusion = GENERATE(Fusion::always, Fusion::shared, Fusion::never);
+    options.path = GENERATE(Path::streamed, Path::shared, Path::step);
     const auto expected = reference_backend(Precision::single_)->make_tissue(experiment, initial);
     const auto found = opencl_backend(options)->make_tissue(experiment, initial);
 

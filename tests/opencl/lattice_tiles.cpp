@@ -10,7 +10,7 @@ namespace {
 
 OpenclOptions tiled(LatticeCut cut = {}, std::size_t width = 0) {
     OpenclOptions made;
-    made.fusion = Fusion::tiled;
+    made.path = Path::tiled;
     made.variants = 1;
     made.width = width;
     made.cut = cut;
@@ -19,27 +19,27 @@ OpenclOptions tiled(LatticeCut cut = {}, std::size_t width = 0) {
 
 }  // namespace
 
-TEST_CASE("tiles: diffusion with every boundary") {
+TEST_CASE("tiled: diffusion with every boundary") {
     check_cases("diffusion/nine-point", tiled());
     check_cases("diffusion/published", tiled());
 }
-TEST_CASE("tiles: every reaction, one cell a work-item") { check_cases("reaction/", tiled({4, 16, 8, 16}, 1)); }
-TEST_CASE("tiles: polarized cells and uneven rates") {
+TEST_CASE("tiled: every reaction, one cell a work-item") { check_cases("reaction/", tiled({4, 16, 8, 16}, 1)); }
+TEST_CASE("tiled: polarized cells and uneven rates") {
     check_cases("rates/polarized/nine-point/no-flux", tiled());
     check_cases("rates/polarized/published", tiled({3, 8, 8, 8}, 1));
     check_cases("rates/uneven/nine-point/wrap", tiled());
 }
-TEST_CASE("tiles: rules") {
+TEST_CASE("tiled: rules") {
     check_cases("rules/quantities/fused", tiled());
     check_cases("rules/draws", tiled());
     check_cases("rules/phases/published", tiled());
 }
-TEST_CASE("tiles: growth") {
+TEST_CASE("tiled: growth") {
     check_cases("growth/no-flux", tiled());
     check_cases("growth/plain", tiled({2, 8, 8, 4}, 1));
 }
 
-TEST_CASE("tiles: every shape gives the same bits") {
+TEST_CASE("tiled: every shape gives the same bits") {
     struct Shape {
         LatticeCut cut;
         Boundary boundary = Boundary::wrap;
@@ -59,7 +59,7 @@ TEST_CASE("tiles: every shape gives the same bits") {
     require_equal(expected, run(*device, experiment, {1, 9, 2, 11}));
 }
 
-TEST_CASE("tiles: shapes that do not fit local memory are cut down to it") {
+TEST_CASE("tiled: shapes that do not fit local memory are cut down to it") {
     const Experiment experiment = busy(90, 70, Boundary::wrap);
     const Snapshot expected = run(*reference_backend(Precision::double_), experiment, {10});
     OpenclOptions vast = tiled({64, 4096, 4096, 1u << 20}, 1);
@@ -73,14 +73,14 @@ TEST_CASE("streamed: every shape gives the same bits") {
         GENERATE(LatticeCut{1, 8, 1, 1}, LatticeCut{16, 64, 4, 2}, LatticeCut{32, 512, 16, 1}, LatticeCut{3, 20, 5, 7});
     const Experiment experiment = busy(131, 57, Boundary::no_flux);
     OpenclOptions streamed = tiled(cut, cut.group == 1 ? 0 : 1);
-    streamed.fusion = Fusion::always;
+    streamed.path = Path::streamed;
 
     const Snapshot expected = run(*reference_backend(Precision::single_), experiment, {37});
 
     require_equal(expected, run(*opencl_backend(streamed), experiment, {37}));
 }
 
-TEST_CASE("tiles: a run says that it took them, and how deep") {
+TEST_CASE("tiled: a run says that it took them, and how deep") {
     const Experiment experiment = busy(16, 16, Boundary::wrap);
 
     const auto tissue = opencl_backend(tiled({4, 8, 8, 4}))->make_tissue(experiment);
@@ -88,5 +88,5 @@ TEST_CASE("tiles: a run says that it took them, and how deep") {
 
     REQUIRE(tissue->notes().size() == 1);
     CHECK(tissue->notes().front() ==
-          "from iteration 0: fused, in tiles of local memory, up to 4 iterations in one pass over memory");
+          "from iteration 0: tiled, up to 4 iterations of a tile in local memory; as asked for");
 }

@@ -30,7 +30,7 @@ TEST_CASE("strips that wait for each other take each other's work where they sha
     cpu_set_t all;
     REQUIRE(sched_getaffinity(0, sizeof all, &all) == 0);
     OpenclOptions options;
-    options.fusion = Fusion::shared;
+    options.path = Path::shared;
     const auto backend = opencl_backend(options);
     if (backend->device().running_units() < 2 || backend->device().type != "cpu") {
         WARN("SKIPPED: the device does not run several work-groups of a CPU at once");

@@ -10,11 +10,11 @@ using namespace test;
 TEST_CASE("whole numbers near the last iteration: plain, shared, streamed and tiled kernels, float and double") {
     OpenclOptions options;
     options.variants = 1;
-    using Way = std::pair<Fusion, Precision>;
-    std::tie(options.fusion, options.precision) =
-        GENERATE(Way{Fusion::never, Precision::double_}, Way{Fusion::shared, Precision::single_},
-                 Way{Fusion::always, Precision::single_}, Way{Fusion::tiled, Precision::double_});
-    CAPTURE(static_cast<int>(options.fusion), static_cast<int>(options.precision));
+    using Way = std::pair<Path, Precision>;
+    std::tie(options.path, options.precision) =
+        GENERATE(Way{Path::step, Precision::double_}, Way{Path::shared, Precision::single_},
+                 Way{Path::streamed, Precision::single_}, Way{Path::tiled, Precision::double_});
+    CAPTURE(static_cast<int>(options.path), static_cast<int>(options.precision));
 
     check_cases("rules/whole-numbers/fused", options);
     check_cases("rules/whole-numbers/published", options);

@@ -96,7 +96,7 @@ TEST_CASE("a tissue that outgrows one work-group goes on without a seam") {
     const auto expected = test::on_reference(experiment);
     const auto found = test::on_device(experiment);
     const auto small = [&] {
-        return cells_step_together(test::session().info(), Fusion::automatic, {}, found->cells(), true);
+        return cells_step_together(test::session().info(), Path::automatic, {}, found->cells(), true);
     };
     REQUIRE(small());
 
@@ -106,9 +106,9 @@ TEST_CASE("a tissue that outgrows one work-group goes on without a seam") {
 }
 
 TEST_CASE("one work-group takes small tissues, and the larger ones of those that grow") {
-    const auto together = [](std::size_t cells, bool grows, Fusion fusion = Fusion::automatic,
+    const auto together = [](std::size_t cells, bool grows, Path path = Path::automatic,
                              const CellsOptions& options = {}) {
-        return cells_step_together(test::session().info(), fusion, options, cells, grows);
+        return cells_step_together(test::session().info(), path, options, cells, grows);
     };
     CHECK(together(1, false));
     CHECK(together(600, false));
@@ -116,9 +116,9 @@ TEST_CASE("one work-group takes small tissues, and the larger ones of those that
     CHECK_FALSE(together(6000, false));
     CHECK_FALSE(together(20'000, true));
 
-    CHECK_FALSE(together(1, true, Fusion::never));
-    CHECK(together(20'000, false, Fusion::shared));
+    CHECK_FALSE(together(1, true, Path::step));
+    CHECK(together(20'000, false, Path::shared));
     CellsOptions approximate;
     approximate.search = NeighbourSearch::spatial_sorting;
-    CHECK_FALSE(together(1, false, Fusion::automatic, approximate));
+    CHECK_FALSE(together(1, false, Path::automatic, approximate));
 }

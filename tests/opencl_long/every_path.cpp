@@ -1,4 +1,4 @@
-// Every lattice case on every path: double, one cell a work-item, fused in bands, tiles.
+// Every lattice case on every path: double, one cell a work-item, streamed in bands, tiled.
 #include "opencl/lattice_run.hpp"
 
 using namespace pelage;
@@ -11,19 +11,19 @@ OpenclOptions path(const std::string& name) {
     made.variants = 1;  // few programs: they take long to compile
     if (name == "double") made.precision = Precision::double_;
     if (name == "one cell a work-item") made.width = 1;
-    if (name == "fused in bands" || name == "fused in bands, double") made.fusion = Fusion::always;
-    if (name == "fused in bands, double") made.precision = Precision::double_;
-    made.cut.columns = made.fusion == Fusion::always ? 32 : 0;
-    if (name == "tiles") made.fusion = Fusion::tiled;
-    if (name == "shared steps") made.fusion = Fusion::shared;
+    if (name == "streamed in bands" || name == "streamed in bands, double") made.path = Path::streamed;
+    if (name == "streamed in bands, double") made.precision = Precision::double_;
+    made.cut.columns = made.path == Path::streamed ? 32 : 0;
+    if (name == "tiled") made.path = Path::tiled;
+    if (name == "shared") made.path = Path::shared;
     return made;
 }
 
 }  // namespace
 
 TEST_CASE("every lattice case gives the reference's bits on every path") {
-    const std::string name = GENERATE(as<std::string>{}, "double", "one cell a work-item", "fused in bands",
-                                      "fused in bands, double", "tiles", "shared steps");
+    const std::string name = GENERATE(as<std::string>{}, "double", "one cell a work-item", "streamed in bands",
+                                      "streamed in bands, double", "tiled", "shared");
     const std::string prefix =
         GENERATE(as<std::string>{}, "diffusion/", "reaction/", "rates/", "rules/", "growth/", "values/");
     INFO(name);

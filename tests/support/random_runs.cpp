@@ -113,8 +113,8 @@ RandomRuns::RandomRuns(bool few_settings) : few_settings_(few_settings) {}
 RandomRuns::Setting RandomRuns::setting(std::uint64_t seed) const {
     Dice dice(seed + 0x5e771e55u);
     OpenclOptions options;
-    const auto ways = {Fusion::always, Fusion::never, Fusion::shared, Fusion::tiled, Fusion::always, Fusion::never};
-    options.fusion = ways.begin()[seed % ways.size()];
+    const auto ways = {Path::streamed, Path::step, Path::shared, Path::tiled, Path::streamed, Path::step};
+    options.path = ways.begin()[seed % ways.size()];
     if (dice.chance(few_settings_ ? 15 : 25)) options.precision = Precision::double_;
     // After that many programs one tests by itself which rules act.
     options.variants = few_settings_ ? (dice.chance(15) ? 1 : 0) : dice.pick<std::size_t>({0, 1, 3, 16});
@@ -129,15 +129,11 @@ RandomRuns::Setting RandomRuns::setting(std::uint64_t seed) const {
         options.cut.rows = dice.pick<std::size_t>({0, 1, 6, 16});
         options.cut.group = dice.pick<std::size_t>({0, 1, 3, 64});
     }
-    const char* fusion = options.fusion == Fusion::always  ? "always"
-                         : options.fusion == Fusion::never ? "never"
-                         : options.fusion == Fusion::tiled ? "tiled"
-                                                           : "shared";
     const LatticeCut& cut = options.cut;
-    return {fmt::format("fusion {}, cut {} {} {} {}, {}, {} variants, width {}, work-group {}{}{}", fusion, cut.depth,
-                        cut.columns, cut.rows, cut.group, options.precision == Precision::double_ ? "double" : "float",
-                        options.variants, options.width, options.work_group, options.guarded ? ", guarded" : "",
-                        options.use_cache ? ", cached" : ""),
+    return {fmt::format("{}, cut {} {} {} {}, {}, {} variants, width {}, work-group {}{}{}", word(options.path),
+                        cut.depth, cut.columns, cut.rows, cut.group,
+                        options.precision == Precision::double_ ? "double" : "float", options.variants, options.width,
+                        options.work_group, options.guarded ? ", guarded" : "", options.use_cache ? ", cached" : ""),
             options};
 }
 

@@ -29,18 +29,18 @@ DeviceInfo graphics(std::size_t largest_group) {
     return device;
 }
 
-std::size_t count_kernel(const std::vector<Candidate>& list, Fusion fusion) {
-    return static_cast<std::size_t>(std::ranges::count(list, fusion, &Candidate::fusion));
+std::size_t count_kernel(const std::vector<Candidate>& list, Path path) {
+    return static_cast<std::size_t>(std::ranges::count(list, path, &Candidate::path));
 }
 
 }  // namespace
 
 TEST_CASE("a candidate says in words what it is") {
     CHECK(Candidate{}.text() == "defaults");
-    CHECK(Candidate{Fusion::always, 16, {24, 256, 8, 0}}.text() ==
+    CHECK(Candidate{Path::streamed, 16, {24, 256, 8, 0}}.text() ==
           "streamed, width 16, depth 24, 256 columns, blocks of 8 rows");
-    CHECK(Candidate{Fusion::tiled, 0, {4, 32, 16, 128}}.text() == "tiled, depth 4, tiles of 32 x 16, groups of 128");
-    CHECK(Candidate{Fusion::never, 2, {0, 0, 0, 64}}.text() == "plain, width 2, groups of 64");
+    CHECK(Candidate{Path::tiled, 0, {4, 32, 16, 128}}.text() == "tiled, depth 4, tiles of 32 x 16, groups of 128");
+    CHECK(Candidate{Path::step, 2, {0, 0, 0, 64}}.text() == "step, width 2, groups of 64");
 }
 
 TEST_CASE("a candidate survives the trip through JSON") {
@@ -52,7 +52,7 @@ TEST_CASE("a candidate survives the trip through JSON") {
 }
 
 TEST_CASE("what is no candidate is refused") {
-    auto json = to_json(Candidate{Fusion::always, 16, {}});
+    auto json = to_json(Candidate{Path::streamed, 16, {}});
 
     SECTION("no such kernel") { json["kernel"] = "woven"; }
     SECTION("no such width") { json["width"] = 3; }
@@ -66,15 +66,15 @@ TEST_CASE("a candidate's choices reach the options, and nothing else changes") {
     OpenclOptions options;
     options.fast = true;
 
-    const OpenclOptions streamed = applied({Fusion::always, 8, {16, 128, 4, 0}}, options);
-    const OpenclOptions plain = applied({Fusion::never, 2, {0, 0, 0, 64}}, options);
+    const OpenclOptions streamed = applied({Path::streamed, 8, {16, 128, 4, 0}}, options);
+    const OpenclOptions step = applied({Path::step, 2, {0, 0, 0, 64}}, options);
 
-    CHECK(streamed.fusion == Fusion::always);
+    CHECK(streamed.path == Path::streamed);
     CHECK(streamed.width == 8);
     CHECK(streamed.cut == LatticeCut{16, 128, 4, 0});
     CHECK(streamed.work_group == 0);
     CHECK(streamed.fast);
-    CHECK(plain.work_group == 64);
+    CHECK(step.work_group == 64);
 }
 
 TEST_CASE("the defaults come first, the quick list next, and nothing twice") {
@@ -93,11 +93,11 @@ TEST_CASE("each kind of device gets its own kernels") {
     const auto on_processor = candidates(processor(), Precision::single_, Effort::exhaustive);
     const auto on_graphics = candidates(graphics(1024), Precision::single_, Effort::exhaustive);
 
-    CHECK(count_kernel(on_processor, Fusion::always) == 96);
-    CHECK(count_kernel(on_processor, Fusion::shared) == 2);
-    CHECK(count_kernel(on_processor, Fusion::tiled) == 0);
-    CHECK(count_kernel(on_graphics, Fusion::tiled) == 108);
-    CHECK(count_kernel(on_graphics, Fusion::shared) == 0);
+    CHECK(count_kernel(on_processor, Path::streamed) == 96);
+    CHECK(count_kernel(on_processor, Path::shared) == 2);
+    CHECK(count_kernel(on_processor, Path::tiled) == 0);
+    CHECK(count_kernel(on_graphics, Path::tiled) == 108);
+    CHECK(count_kernel(on_graphics, Path::shared) == 0);
 }
 
 TEST_CASE("widths follow the lanes of the precision, groups the device's limit") {
@@ -106,5 +106,5 @@ TEST_CASE("widths follow the lanes of the precision, groups the device's limit")
 
     for (const Candidate& candidate : doubles) CHECK(candidate.width <= 8);
     for (const Candidate& candidate : narrow) CHECK(candidate.cut.group <= 64);
-    CHECK(count_kernel(narrow, Fusion::tiled) == 36);
+    CHECK(count_kernel(narrow, Path::tiled) == 36);
 }

@@ -34,8 +34,8 @@ public:
     std::filesystem::path path;
 };
 
-const Candidate deep{Fusion::always, 16, {32, 256, 8, 0}};
-const Candidate shallow{Fusion::always, 16, {8, 256, 8, 0}};
+const Candidate deep{Path::streamed, 16, {32, 256, 8, 0}};
+const Candidate shallow{Path::streamed, 16, {8, 256, 8, 0}};
 
 Key some_key() {
     DeviceInfo device;

@@ -10,7 +10,7 @@ using namespace pelage::tune;
 
 namespace {
 
-Candidate of_depth(std::size_t depth) { return {Fusion::always, 16, {depth, 0, 0, 0}}; }
+Candidate of_depth(std::size_t depth) { return {Path::streamed, 16, {depth, 0, 0, 0}}; }
 
 // Candidates that take `seconds` each and reach the speeds one gives them.
 class Bench {

@@ -18,7 +18,7 @@ using test::spots;
 
 namespace {
 
-const Candidate streamed{Fusion::always, 0, {4, 0, 0, 0}};
+const Candidate streamed{Path::streamed, 0, {4, 0, 0, 0}};
 
 Problem small_problem() { return make_problem(spots(24, 16), 0, 5000, 1'000'000); }
 
@@ -30,13 +30,13 @@ Subject on_reference(const OpenclOptions& options, const Experiment& experiment,
 Subject with_a_flipped_bit(const OpenclOptions& options, const Experiment& experiment, Snapshot start) {
     double& value = start.conc[1][77];
     const auto bits = std::bit_cast<std::uint32_t>(static_cast<float>(value));
-    if (options.fusion == Fusion::always) value = static_cast<double>(std::bit_cast<float>(bits ^ 0x100u));
+    if (options.path == Path::streamed) value = static_cast<double>(std::bit_cast<float>(bits ^ 0x100u));
     return on_reference(options, experiment, start);
 }
 
 }  // namespace
 
-TEST_CASE("a candidate with the plain kernel's bits is timed") {
+TEST_CASE("a candidate with the bits of single steps is timed") {
     TestStand stand(small_problem(), {}, on_reference, 0.002);
 
     const Trial trial = stand.try_out(streamed);
@@ -69,7 +69,7 @@ TEST_CASE("even where bits are given up for speed, a large difference is wrong")
     OpenclOptions options;
     options.fast = true;
     const Begin far_off = [](const OpenclOptions& own, const Experiment& experiment, Snapshot start) {
-        if (own.fusion == Fusion::always) start.conc[1][77] += 1;
+        if (own.path == Path::streamed) start.conc[1][77] += 1;
         return on_reference(own, experiment, start);
     };
     TestStand stand(small_problem(), options, far_off, 0.002);
@@ -79,7 +79,7 @@ TEST_CASE("even where bits are given up for speed, a large difference is wrong")
 
 TEST_CASE("a candidate that throws is struck out with the reason") {
     const Begin refusing = [](const OpenclOptions& options, const Experiment& experiment, const Snapshot& start) {
-        if (options.fusion == Fusion::always) throw Error("no local memory is left");
+        if (options.path == Path::streamed) throw Error("no local memory is left");
         return on_reference(options, experiment, start);
     };
     TestStand stand(small_problem(), {}, refusing, 0.002);
@@ -118,7 +118,7 @@ TEST_CASE("on this device no quick candidate is wrong, and those that are good a
         INFO(candidate.text() << ": " << trial.message);
         CHECK((trial.verdict == Verdict::good || trial.verdict == Verdict::unfit));
         CHECK_FALSE(trial.how.empty());
-        if (candidate.fusion == Fusion::always) CHECK(trial.verdict == Verdict::good);
+        if (candidate.path == Path::streamed) CHECK(trial.verdict == Verdict::good);
     }
 }
 

@@ -14,7 +14,7 @@ constexpr std::uint64_t shortest_stretch = 32;
 
 std::size_t default_width(const Session& session) {
     if (session.options().width != 0) return session.options().width;
-    return session.info().type == "cpu" && !session.info().software_rasteriser() ? 16 : 1;
+    return session.info().processor() ? 16 : 1;
 }
 
 // Rules that act somewhere in [iteration, iteration + shortest_stretch), and the first iteration at which another does.

@@ -156,9 +156,9 @@ void OpenclCells::do_advance(std::uint64_t first, std::uint64_t count) {
 // Carries out some iterations, none where the lists had to be lengthened first; returns how many.
 std::uint64_t OpenclCells::some(std::uint64_t first, std::uint64_t most) {
     const bool grows = state_.divide_rules() > 0;
-    const Fusion fusion = session_->options().fusion;
-    return cells_step_together(session_->info(), fusion, options_, do_cells(), grows) ? leap(first, most)
-                                                                                      : batch(first, most);
+    const Path path = session_->options().path;
+    return cells_step_together(session_->info(), path, options_, do_cells(), grows) ? leap(first, most)
+                                                                                    : batch(first, most);
 }
 
 // In one launch, which appends children and mends lists as it goes.

@@ -18,11 +18,11 @@ constexpr std::size_t turns_a_launch = 50'000;  // of loops, where a device ends
 
 }  // namespace
 
-bool cells_step_together(const DeviceInfo& device, Fusion fusion, const CellsOptions& options, std::size_t cells,
+bool cells_step_together(const DeviceInfo& device, Path path, const CellsOptions& options, std::size_t cells,
                          bool grows) {
     if (options.approximate()) return false;
     if (options.together) return *options.together;
-    if (fusion != Fusion::automatic) return fusion != Fusion::never;
+    if (path != Path::automatic) return path != Path::step;
     if (device.software_rasteriser()) return false;
     return cells <= (grows ? 2000u : 800u);
 }
@@ -36,7 +36,7 @@ CellsTogether::CellsTogether(const Session& session)
 std::size_t CellsTogether::group() const {
     const std::size_t most = std::max<std::size_t>(1, session_.info().max_work_group);
     if (session_.options().work_group != 0) return std::min(session_.options().work_group, most);
-    const bool vectors = session_.info().type == "cpu" && !session_.info().software_rasteriser();
+    const bool vectors = session_.info().processor();
     return vectors ? 1 : std::min<std::size_t>(most, 256);
 }
 

@@ -16,7 +16,7 @@ namespace pelage {
 
 // Whether one work-group shall carry out many iterations of that many cells: as the options have it, else where a
 // device does better so. `grows`: some rule divides, so that lists would have to be found anew all the time.
-bool cells_step_together(const DeviceInfo&, Fusion, const CellsOptions&, std::size_t cells, bool grows);
+bool cells_step_together(const DeviceInfo&, Path, const CellsOptions&, std::size_t cells, bool grows);
 
 class CellsTogether {
 public:

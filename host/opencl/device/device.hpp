@@ -22,6 +22,8 @@ struct DeviceInfo {
     std::uint64_t memory = 0;          // bytes
     std::uint64_t max_allocation = 0;  // bytes in one buffer
     std::uint32_t compute_units = 0;
+    std::uint64_t local_memory = 0;        // bytes that a work-group has
+    bool own_local_memory = false;         // that is memory of its own, not a part of all
     std::size_t max_work_group = 0;        // work-items in a group that has one dimension
     std::uint32_t vector_width_float = 1;  // lanes the hardware has
     std::uint32_t vector_width_double = 0;
@@ -32,6 +34,9 @@ struct DeviceInfo {
 
     // Draws by CPU behind a GPU driver's interface (llvmpipe, Clover): the last resort.
     bool software_rasteriser() const;
+
+    // A CPU proper: it runs the work-items of a group one after the other, in vectors.
+    bool processor() const { return type == "cpu" && !software_rasteriser(); }
 
     // Watches every access itself (Oclgrind): guard zones would hide from it what lies outside a buffer, and filling
     // memory what was never written.

@@ -4,20 +4,24 @@
 #include "core/neighbours.hpp"
 #include "core/precision.hpp"
 
+#include <array>
 #include <cstddef>
 #include <optional>
 #include <string>
 
 namespace pelage {
 
-// How a lattice carries out several iterations a launch. The bits are the same whatever is chosen.
-//   automatic  what is fastest for the device, the rules and the work to come
-//   always     streamed: several iterations in one pass over memory, where the rules allow that; else as `shared`. The
-//              program takes longer to compile, so that in short runs `automatic` does without.
-//   shared     work-groups share a lattice's steps and wait for each other; on CPUs, else as `never`
+// How a lattice carries out its iterations. The bits are the same whatever is chosen.
+//   automatic  what is best for the device, the rules and the work to come; see lattice/choice.hpp
+//   step       one launch an iteration
+//   streamed   several iterations in one pass over memory. The program takes longer to compile than the others.
+//   shared     work-groups share a lattice's steps and wait for each other; on processors, else as `step`
 //   tiled      work-groups take tiles of the lattice into local memory for several iterations; for GPUs
-//   never      one launch an iteration
-enum class Fusion { automatic, always, never, shared, tiled };
+// Free cells are stepped, or one work-group carries out many iterations (`shared`, and whatever else is not `step`).
+enum class Path { automatic, step, streamed, shared, tiled };
+
+inline constexpr std::array<const char*, 5> path_words{"automatic", "step", "streamed", "shared", "tiled"};
+inline const char* word(Path path) { return path_words[static_cast<std::size_t>(path)]; }
 
 // How streamed and tiled programs are cut to a device; 0: ours to choose. What does not fit the device's local memory
 // or limits is cut down until it does. The bits are the same whatever is chosen.
@@ -43,7 +47,7 @@ struct OpenclOptions {
     std::size_t work_group = 0;  // work-items in a group; 0: ours to choose
     std::size_t variants = 16;   // programs for sets of active rules before one that tests all intervals itself
     std::size_t width = 0;       // cells a work-item handles side by side, 1, 2, 4, 8 or 16; 0: ours to choose
-    Fusion fusion = Fusion::automatic;
+    Path path = Path::automatic;
     LatticeCut cut;
     // For verification: every buffer lies between guard zones, looked at after each launch, and what a launch must
     // write is filled with NaN first. Each launch is waited for.

@@ -1,12 +1,14 @@
 // See explain.hpp.
 #include "opencl/lattice/explain.hpp"
 
+#include "core/allowance.hpp"
+#include "core/lattice.hpp"
 #include "core/schedule.hpp"
+#include "opencl/lattice/choice.hpp"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include <algorithm>
 #include <set>
 #include <variant>
 
@@ -27,28 +29,28 @@ std::string named(const Experiment& experiment, const std::vector<bool>& active)
                        fmt::join(lines, ", "));
 }
 
-std::string sentence(const Experiment& experiment, const LatticePlan& plan, Precision precision,
-                     const std::vector<bool>& active, std::uint64_t iteration) {
-    const std::string reason = why_not_streamed(plan, emit_rules(experiment, active, precision).use);
-    return fmt::format("from iteration {}, {}: {}", iteration, named(experiment, active),
-                       reason.empty() ? "fused; streamed once threads' caches do not hold the lattice"
-                                      : "fused, steps shared among threads; not streamed: " + reason);
-}
-
 }  // namespace
 
-std::string why_not_streamed(const LatticePlan& plan, const RuleUse& use) {
-    if (use.random) return "random draws, not memory, set its pace";
-    if (!use.polarizes.empty()) return "polarities that follow gradients, not memory, set its pace";
-    if (std::find(plan.rates.begin(), plan.rates.end(), RateKind::per_cell) != plan.rates.end()) {
-        return "diffusion rates that differ between cells, not memory, set its pace";
-    }
-    return "";
+DeviceInfo usual_processor() {
+    DeviceInfo device;
+    device.type = "cpu";
+    device.processors = usable_processors();
+    device.compute_units = static_cast<std::uint32_t>(device.processors);
+    device.local_memory = 1 << 20;
+    device.max_work_group = 4096;
+    device.vector_width_float = 16;
+    device.vector_width_double = 8;
+    return device;
 }
 
-std::vector<std::string> explain_lattice(const Experiment& experiment, const Snapshot& initial, Precision precision) {
+std::vector<std::string> explain_lattice(const Experiment& experiment, const Snapshot& initial, Precision precision,
+                                         const DeviceInfo& device) {
     if (std::holds_alternative<FreeCells>(space_of(experiment))) return {};
     const LatticePlan plan = lattice_plan(experiment, initial);
+    const std::vector<bool> every(experiment.rules.size(), true);
+    const double bytes = bytes_a_cell(experiment, plan, emit_rules(experiment, every, precision).use, precision);
+    OpenclOptions options;
+    options.precision = precision;
     std::vector<std::string> sentences;
     std::set<std::vector<bool>> known;
     const std::uint64_t last = experiment.last_iteration();
@@ -62,7 +64,10 @@ std::vector<std::string> explain_lattice(const Experiment& experiment, const Sna
             sentences.push_back("and so on, with further sets of rules");
             break;
         }
-        sentences.push_back(sentence(experiment, plan, precision, active, iteration));
+        const Work work = foreseen_work(experiment, active, iteration, static_cast<double>(initial.cells()), bytes);
+        const RuleNeeds needs = rule_needs(experiment, plan, emit_rules(experiment, active, precision).use);
+        sentences.push_back(fmt::format("from iteration {}, {}: {}", iteration, named(experiment, active),
+                                        choose(device, needs, work, options).text()));
     }
     return sentences;
 }

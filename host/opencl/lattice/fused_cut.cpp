@@ -1,10 +1,7 @@
 // See fused_cut.hpp.
 #include "opencl/lattice/fused_cut.hpp"
 
-#include "core/error.hpp"
-#include "opencl/lattice/step.hpp"
-
-#include <fmt/format.h>
+#include "opencl/lattice/divided.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -77,37 +74,33 @@ std::size_t shared_depth(const FusedShape& shape, std::size_t strip) {
 std::size_t wished(std::size_t value, std::size_t otherwise) { return value == 0 ? otherwise : value; }
 
 // Work-items of a group; a CPU runs them one after the other.
-std::size_t group_size(const Session& session, std::size_t otherwise) {
-    const std::size_t most = std::max<std::size_t>(1, session.info().max_work_group);
-    return std::min(most, wished(session.options().cut.group, is_cpu(session) ? 1 : otherwise));
+std::size_t group_size(const DeviceInfo& device, const OpenclOptions& options, std::size_t otherwise) {
+    const std::size_t most = std::max<std::size_t>(1, device.max_work_group);
+    return std::min(most, wished(options.cut.group, device.processor() ? 1 : otherwise));
 }
 
-[[noreturn]] void throw_too_small(const Session& session, const FusedFields& fields, std::size_t bytes) {
-    throw Error(fmt::format("fused iterations of {} values a cell need {} bytes of local memory; device '{}' has {}",
-                            fields.all, bytes, session.info().name,
-                            session.device().getInfo<CL_DEVICE_LOCAL_MEM_SIZE>()));
-}
+std::size_t scalar_bytes(const OpenclOptions& options) { return options.precision == Precision::double_ ? 8 : 4; }
 
 }  // namespace
 
-FusedShape stream_shape(const Session& session, const FusedFields& fields, std::size_t width) {
-    const LatticeCut& wish = session.options().cut;
+Cut stream_cut(const DeviceInfo& device, const OpenclOptions& options, const FusedFields& fields, std::size_t width) {
+    const LatticeCut& wish = options.cut;
+    const std::size_t scalar = scalar_bytes(options);
     FusedShape shape;
-    shape.prefetch = is_cpu(session);
+    shape.prefetch = device.processor();
     shape.depth = wished(wish.depth, 16);
     shape.rows = wished(wish.rows, 4);
-    shape.group = group_size(session, 64);
-    shape.together = shares_steps(session) && shape.group == 1;
+    shape.group = group_size(device, options, 64);
+    shape.together = device.processor() && options.work_group <= 1 && shape.group == 1;
     std::size_t columns = wished(wish.columns, 384);
     const auto vectors = [&] { return divided(columns + 2 * shape.depth, width); };
     const auto bytes = [&] {  // as lattice/stream.cl counts them, at most
-        const std::size_t line = 128 / session.scalar_bytes();
+        const std::size_t line = 128 / scalar;
         const std::size_t slot = (divided(vectors() * width + 2, line) | 1) * line;
         const std::size_t scratch = 2 * (shape.rows + 2) * fields.all * slot + 32;
-        return session.scalar_bytes() *
-               (scratch + shape.depth * vectors() * width * (3 * fields.all + 2 * fields.seen));
+        return scalar * (scratch + shape.depth * vectors() * width * (3 * fields.all + 2 * fields.seen));
     };
-    const std::size_t there = session.device().getInfo<CL_DEVICE_LOCAL_MEM_SIZE>();
+    const std::size_t there = device.local_memory;
     const std::size_t wanted = wish.depth == 0 ? std::min(scratch_bytes, there) : there;
     while (shape.depth > 4 && bytes() > wanted) shape.depth -= 4;
     while (bytes() > there) {
@@ -120,11 +113,11 @@ FusedShape stream_shape(const Session& session, const FusedFields& fields, std::
         } else if (shape.depth > 1) {
             shape.depth /= 2;
         } else {
-            throw_too_small(session, fields, bytes());
+            break;
         }
     }
     shape.vectors = vectors();
-    return shape;
+    return {shape, bytes()};
 }
 
 FusedLaunch stream_launch(const DeviceInfo& device, const Grid& grid, const FusedShape& shape, std::size_t width,
@@ -159,18 +152,19 @@ FusedLaunch stream_launch(const DeviceInfo& device, const Grid& grid, const Fuse
     return launch;
 }
 
-FusedShape tile_shape(const Session& session, const FusedFields& fields, std::size_t width) {
-    const LatticeCut& wish = session.options().cut;
+Cut tile_cut(const DeviceInfo& device, const OpenclOptions& options, const FusedFields& fields, std::size_t width) {
+    const LatticeCut& wish = options.cut;
+    const std::size_t scalar = scalar_bytes(options);
     FusedShape shape;
     shape.depth = wished(wish.depth, 4);
     shape.rows = wished(wish.rows, 32);
-    shape.group = group_size(session, 128);
+    shape.group = group_size(device, options, 128);
     std::size_t columns = wished(wish.columns, 32);
     const auto vectors = [&] { return divided(columns + 2 * shape.depth, width); };
     const auto bytes = [&] {  // as lattice/tile.cl counts them
-        return session.scalar_bytes() * (2 * (shape.rows + 2 * shape.depth) * fields.all * vectors() * width + 32);
+        return scalar * (2 * (shape.rows + 2 * shape.depth) * fields.all * vectors() * width + 32);
     };
-    const std::size_t there = session.device().getInfo<CL_DEVICE_LOCAL_MEM_SIZE>();
+    const std::size_t there = device.local_memory;
     while (bytes() > there) {
         if (shape.rows > 8) {
             shape.rows /= 2;
@@ -183,11 +177,11 @@ FusedShape tile_shape(const Session& session, const FusedFields& fields, std::si
         } else if (shape.depth > 1) {
             shape.depth = 1;
         } else {
-            throw_too_small(session, fields, bytes());
+            break;
         }
     }
     shape.vectors = vectors();
-    return shape;
+    return {shape, bytes()};
 }
 
 FusedLaunch tile_launch(const Grid& grid, const FusedShape& shape, std::size_t width, std::uint64_t count) {

@@ -1,7 +1,8 @@
 // How lattices are cut into the bands and tiles of fused programs, and stretches of iterations into launches.
 #pragma once
 
-#include "opencl/device/session.hpp"
+#include "opencl/device/device.hpp"
+#include "opencl/device/options.hpp"
 #include "opencl/lattice/emit_fused.hpp"
 #include "opencl/lattice/planes.hpp"
 
@@ -21,10 +22,14 @@ struct FusedLaunch {
     bool together = false;    // they share the passes
 };
 
-// As the session's options ask (LatticeCut), cut down to what the device's local memory holds. Throws Error when not
-// even the smallest shape fits.
-FusedShape stream_shape(const Session&, const FusedFields&, std::size_t width);
-FusedShape tile_shape(const Session&, const FusedFields&, std::size_t width);
+struct Cut {
+    FusedShape shape;
+    std::size_t bytes = 0;  // of local memory; more than the device has where not even the smallest shape fits
+};
+
+// As the options ask (LatticeCut), cut down to what the device's local memory holds.
+Cut stream_cut(const DeviceInfo&, const OpenclOptions&, const FusedFields&, std::size_t width);
+Cut tile_cut(const DeviceInfo&, const OpenclOptions&, const FusedFields&, std::size_t width);
 
 // The next launch of `count` iterations to come.
 FusedLaunch stream_launch(const DeviceInfo&, const Grid&, const FusedShape&, std::size_t width, std::uint64_t count);

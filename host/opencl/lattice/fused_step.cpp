@@ -1,37 +1,28 @@
 // See fused_step.hpp.
 #include "opencl/lattice/fused_step.hpp"
 
-#include "core/counted.hpp"
-
 #include "opencl/device/launch.hpp"
 #include "opencl/lattice/emit_lattice.hpp"
 
-#include <fmt/format.h>
+#include <utility>
 
 namespace pelage {
 
 FusedStep::FusedStep(const Session& session, const Experiment& experiment, const LatticePlan& plan,
-                     const std::vector<bool>& active, bool test_intervals, bool tiled)
+                     const std::vector<bool>& active, bool test_intervals, Choice choice)
     : session_(session),
-      width_(lattice_width(session)),
+      choice_(std::move(choice)),
       seed_(static_cast<std::uint64_t>(experiment.run_seed())),
-      tiled_(tiled),
+      tiled_(choice_.path == Path::tiled),
       shared_(session) {
     const RuleText rules = emit_rules(experiment, active, session.options().precision, test_intervals);
     writes_rates_ = !rules.use.rates_written.empty();
     writes_polarity_ = !rules.use.polarizes.empty();
     writes_mappings_ = !rules.use.mappings_written.empty();
-    const FusedFields fields = fused_fields(experiment, plan, rules.use);
-    shape_ = tiled ? tile_shape(session, fields, width_) : stream_shape(session, fields, width_);
-    const auto source = tiled ? tile_source : stream_source;
-    const cl::Program program = session.build(
-        source(experiment, plan, rules, bounded_chemicals(experiment), session.options().precision, width_, shape_));
-    kernel_ = cl::Kernel(program, tiled ? "pelage_lattice_tile" : "pelage_lattice_stream");
-}
-
-std::string FusedStep::describe() const {
-    return fmt::format("fused, {}, up to {} in one pass over memory", tiled_ ? "in tiles of local memory" : "streamed",
-                       counted(shape_.depth, "iteration"));
+    const auto source = tiled_ ? tile_source : stream_source;
+    const cl::Program program = session.build(source(experiment, plan, rules, bounded_chemicals(experiment),
+                                                     session.options().precision, choice_.width, choice_.cut));
+    kernel_ = cl::Kernel(program, tiled_ ? "pelage_lattice_tile" : "pelage_lattice_stream");
 }
 
 void FusedStep::swap_planes(LatticeState& state) const {
@@ -54,7 +45,7 @@ void FusedStep::set_arguments(LatticeState& state, const cl::Buffer& parameters,
     arguments.add(static_cast<cl_uint>(first), launch.steps, launch.passes, static_cast<cl_uint>(seed_ & 0xffffffffu),
                   static_cast<cl_uint>(seed_ >> 32));
     if (!tiled_) arguments.add(launch.margin);
-    if (!shape_.together) return;
+    if (!choice_.cut.together) return;
     if (launch.together) {
         shared_.prepare(arguments, launch.strips, launch.passes);
     } else {
@@ -65,10 +56,12 @@ void FusedStep::set_arguments(LatticeState& state, const cl::Buffer& parameters,
 void FusedStep::enqueue(LatticeState& state, const cl::Buffer& parameters, std::uint64_t first, std::uint64_t count,
                         Pace& pace) {
     while (count > 0) {
-        const FusedLaunch launch = tiled_ ? tile_launch(state.grid(), shape_, width_, count)
-                                          : stream_launch(session_.info(), state.grid(), shape_, width_, count);
+        const FusedLaunch launch =
+            tiled_ ? tile_launch(state.grid(), choice_.cut, choice_.width, count)
+                   : stream_launch(session_.info(), state.grid(), choice_.cut, choice_.width, count);
         set_arguments(state, parameters, launch, first);
-        session_.launch(kernel_, cl::NDRange(launch.bands * shape_.group, launch.strips), cl::NDRange(shape_.group, 1));
+        session_.launch(kernel_, cl::NDRange(launch.bands * choice_.cut.group, launch.strips),
+                        cl::NDRange(choice_.cut.group, 1));
         pace.launched();
         if (launch.passes % 2 != 0) swap_planes(state);
         first += launch.steps * launch.passes;

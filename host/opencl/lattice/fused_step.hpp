@@ -14,18 +14,16 @@ namespace pelage {
 class FusedStep final : public LatticeKernel {
 public:
     FusedStep(const Session&, const Experiment&, const LatticePlan&, const std::vector<bool>& active,
-              bool test_intervals, bool tiled);
+              bool test_intervals, Choice);
 
     void enqueue(LatticeState&, const cl::Buffer& parameters, std::uint64_t first, std::uint64_t count, Pace&) override;
-    std::string describe() const override;
 
 private:
     void set_arguments(LatticeState&, const cl::Buffer& parameters, const FusedLaunch&, std::uint64_t first);
     void swap_planes(LatticeState&) const;
 
     const Session& session_;
-    std::size_t width_;
-    FusedShape shape_;
+    Choice choice_;
     std::uint64_t seed_;
     bool tiled_;
     SharedSteps shared_;

@@ -3,8 +3,8 @@
 
 #include "opencl/device/launch.hpp"
 #include "opencl/device/program.hpp"
+#include "opencl/lattice/choice.hpp"
 #include "opencl/lattice/emit_lattice.hpp"
-#include "opencl/lattice/step.hpp"
 #include "opencl/lattice/traits.hpp"
 
 #include <fmt/format.h>
@@ -52,13 +52,14 @@ std::string means_source(const Experiment& experiment, const LatticePlan& plan, 
 }  // namespace
 
 bool means_pay(const Session& session, const LatticePlan& plan, const RuleUse& every) {
-    return is_cpu(session) && own_rates(plan) > 0 && every.rates_written.empty() && every.polarizes.empty();
+    return session.info().processor() && own_rates(plan) > 0 && every.rates_written.empty() && every.polarizes.empty();
 }
 
 LatticeMeans::LatticeMeans(const Session& session, const Experiment& experiment, const LatticePlan& plan)
     : session_(session),
-      kernel_(session.build(means_source(experiment, plan, lattice_width(session))), "pelage_lattice_means"),
-      width_(lattice_width(session)),
+      kernel_(session.build(means_source(experiment, plan, lattice_width(session.info(), session.options()))),
+              "pelage_lattice_means"),
+      width_(lattice_width(session.info(), session.options())),
       planes_(session, "mean diffusion rates", means_a_cell * own_rates(plan), false) {}
 
 const cl::Buffer& LatticeMeans::of(LatticeState& state) {

@@ -45,7 +45,7 @@ void PlaneExpander::apply(const cl::Buffer& from, const cl::Buffer& to, const Gr
 }
 
 void launch_over_rows(const Session& session, const cl::Kernel& kernel, const Grid& grid) {
-    const bool strips = session.info().type == "cpu" && !session.info().software_rasteriser();
+    const bool strips = session.info().processor();
     const std::size_t width = strips ? 1 : std::clamp<std::size_t>(session.info().max_work_group, 1, 64);
     const std::size_t across = strips ? 1 : (grid.pitch() + width - 1) / width * width;
     const std::size_t up =

@@ -1,8 +1,8 @@
 // See step.hpp.
 #include "opencl/lattice/step.hpp"
 
-#include "core/forecast.hpp"
 #include "opencl/device/launch.hpp"
+#include "opencl/lattice/divided.hpp"
 #include "opencl/lattice/emit_lattice.hpp"
 #include "opencl/lattice/means.hpp"
 
@@ -23,55 +23,10 @@ constexpr std::size_t cells_a_strip = 2'000;
 constexpr std::size_t cells_a_launch = 8'000'000;
 constexpr std::size_t steps_a_launch = 4096;
 
-}  // namespace
-
-bool is_cpu(const DeviceInfo& device) { return device.type == "cpu" && !device.software_rasteriser(); }
-bool is_cpu(const Session& session) { return is_cpu(session.info()); }
-
-std::size_t vector_lanes(const DeviceInfo& device, Precision precision) {
-    const std::uint32_t lanes =
-        precision == Precision::double_ ? device.vector_width_double : device.vector_width_float;
-    std::size_t width = 1;
-    while (width < 16 && 2 * width <= lanes) width *= 2;
-    return width;
-}
-
-std::size_t lattice_width(const Session& session) {
-    if (session.options().width != 0) return session.options().width;
-    return is_cpu(session) ? vector_lanes(session.info(), session.options().precision) : 1;
-}
-
-bool tiles_pay(const Session& session) {
-    if (session.info().type != "gpu" || session.info().software_rasteriser()) return false;
-    return session.device().getInfo<CL_DEVICE_LOCAL_MEM_TYPE>() == CL_LOCAL;
-}
-
-bool caches_hold(const DeviceInfo& device, double bytes) {
-    constexpr double of_a_thread = 1'500'000;  // of its second level, much of it
-    return bytes < of_a_thread * static_cast<double>(device.running_units());
-}
-
-bool streaming_pays(const Experiment& experiment, const std::vector<bool>& active, std::uint64_t iteration,
-                    double cells, bool cached, double done) {
-    constexpr double least_cells = 15'000;  // smaller ones are no faster streamed than with shared steps
-    if (cells < least_cells) return false;
-    const double enough = cached ? 5e9 : 2e9;
-    const std::uint64_t last = experiment.last_iteration();
-    if (iteration >= last) return done >= enough;
-    const std::uint64_t end = std::min(last, end_of_set(experiment, active, iteration));
-    return static_cast<double>(end - iteration) * cells >= enough;
-}
-
-bool shares_steps(const Session& session) {
-    return is_cpu(session) && session.options().work_group <= 1 && session.options().fusion != Fusion::never;
-}
-
-namespace {
-
-LaunchShape shared_shape(const Session& session, const Grid& grid, std::uint64_t count) {
+LaunchShape shared_shape(const DeviceInfo& device, const Grid& grid, std::uint64_t count) {
     LaunchShape shape;
     if (grid.cells() > shared_below) {  // so many strips that threads find work however late they come
-        shape.bands = std::min<std::size_t>(grid.rows, 4 * session.info().compute_units);
+        shape.bands = std::min<std::size_t>(grid.rows, 4 * device.compute_units);
         shape.band = divided(grid.rows, shape.bands);
         shape.bands = divided(grid.rows, shape.band);
         return shape;
@@ -82,7 +37,7 @@ LaunchShape shared_shape(const Session& session, const Grid& grid, std::uint64_t
         shape.band = grid.rows;
         return shape;
     }
-    const std::size_t strips = std::min<std::size_t>(session.info().running_units(), grid.cells() / cells_a_strip);
+    const std::size_t strips = std::min<std::size_t>(device.running_units(), grid.cells() / cells_a_strip);
     shape.band = divided(grid.rows, std::clamp<std::size_t>(strips, 1, grid.rows));
     shape.bands = divided(grid.rows, shape.band);
     return shape;
@@ -90,47 +45,36 @@ LaunchShape shared_shape(const Session& session, const Grid& grid, std::uint64_t
 
 }  // namespace
 
-LaunchShape launch_shape(const Session& session, const Grid& grid, std::size_t width, bool together,
-                         std::uint64_t count) {
+LaunchShape launch_shape(const DeviceInfo& device, const Choice& choice, const Grid& grid, std::uint64_t count) {
+    if (choice.path == Path::shared) return shared_shape(device, grid, count);
     LaunchShape shape;
-    const std::size_t most = std::max<std::size_t>(1, session.info().max_work_group);
-    const std::size_t group = std::min(session.options().work_group, most);
-    const std::size_t strips = divided(grid.columns, width);
-    if (!is_cpu(session)) {
-        shape.work_group = group != 0 ? group : std::min<std::size_t>(64, most);
-        shape.across = divided(strips, shape.work_group) * shape.work_group;
+    shape.work_group = choice.cut.group;
+    if (!device.processor()) {
+        shape.across = divided(divided(grid.columns, choice.width), shape.work_group) * shape.work_group;
         shape.bands = grid.rows;
         return shape;
     }
-    if (together) return shared_shape(session, grid, count);
-    shape.work_group = group != 0 ? group : 1;
     shape.across = shape.work_group;
-    shape.bands = std::min<std::size_t>(grid.rows, 4 * session.info().compute_units);
+    shape.bands = std::min<std::size_t>(grid.rows, 4 * device.compute_units);
     shape.band = divided(grid.rows, shape.bands);
     return shape;
 }
 
 LatticeStep::LatticeStep(const Session& session, const Experiment& experiment, const LatticePlan& plan,
-                         const std::vector<bool>& active, bool test_intervals, std::shared_ptr<LatticeMeans> means)
+                         const std::vector<bool>& active, bool test_intervals, Choice choice,
+                         std::shared_ptr<LatticeMeans> means)
     : session_(session),
-      width_(lattice_width(session)),
+      choice_(std::move(choice)),
       seed_(static_cast<std::uint64_t>(experiment.run_seed())),
-      together_(shares_steps(session)),
       shared_(session),
       means_(std::move(means)) {
     const RuleText rules = emit_rules(experiment, active, session.options().precision, test_intervals);
     writes_rates_ = !rules.use.rates_written.empty();
     writes_polarity_ = !rules.use.polarizes.empty();
-    const std::string source = lattice_source(experiment, plan, rules, bounded_chemicals(experiment),
-                                              session.options().precision, width_, together_, means_ != nullptr);
+    const std::string source =
+        lattice_source(experiment, plan, rules, bounded_chemicals(experiment), session.options().precision,
+                       choice_.width, choice_.path == Path::shared, means_ != nullptr);
     kernel_ = cl::Kernel(session.build(source), "pelage_lattice_step");
-}
-
-std::string LatticeStep::describe() const {
-    if (together_) return "fused, steps shared among threads";
-    return std::string("not fused, one launch an iteration: ") + (is_cpu(session_) || tiles_pay(session_)
-                                                                      ? "as the options ask for"
-                                                                      : "the device has no local memory of its own");
 }
 
 // `steps` iterations from `first` on.
@@ -145,14 +89,14 @@ void LatticeStep::set_arguments(LatticeState& state, const cl::Buffer& parameter
     arguments.add(grid.columns, grid.rows, grid.pitch(), shape.band);
     arguments.add(static_cast<cl_uint>(first), static_cast<cl_uint>(steps), static_cast<cl_uint>(seed_ & 0xffffffffu),
                   static_cast<cl_uint>(seed_ >> 32));
-    if (together_) shared_.prepare(arguments, shape.bands, steps);
+    if (choice_.path == Path::shared) shared_.prepare(arguments, shape.bands, steps);
     if (means_) arguments.add(means_->of(state));
 }
 
 void LatticeStep::enqueue(LatticeState& state, const cl::Buffer& parameters, std::uint64_t first, std::uint64_t count,
                           Pace& pace) {
     for (std::uint64_t done = 0; done < count;) {
-        const LaunchShape shape = launch_shape(session_, state.grid(), width_, together_, count - done);
+        const LaunchShape shape = launch_shape(session_.info(), choice_, state.grid(), count - done);
         const std::uint64_t steps = std::min<std::uint64_t>(shape.steps, count - done);
         set_arguments(state, parameters, shape, first + done, steps);
         session_.launch(kernel_, cl::NDRange(shape.across, shape.bands), cl::NDRange(shape.work_group, 1));

@@ -6,13 +6,12 @@
 #include "opencl/device/cl_error.hpp"
 #include "opencl/device/launch.hpp"
 #include "opencl/device/program.hpp"
+#include "opencl/lattice/choice.hpp"
 #include "opencl/lattice/emit_lattice.hpp"
-#include "opencl/lattice/explain.hpp"
 #include "opencl/lattice/fused_step.hpp"
 #include "opencl/lattice/means.hpp"
 #include "opencl/lattice/state.hpp"
 #include "opencl/lattice/step.hpp"
-#include "opencl/lattice/traits.hpp"
 
 #include <fmt/format.h>
 
@@ -54,7 +53,6 @@ public:
 
 private:
     static constexpr std::size_t most_notes = 64;
-    enum class Path { plain, streamed, tiled };
 
     std::size_t do_cells() const override { return state_->grid().cells(); }
 
@@ -106,7 +104,7 @@ private:
             if (plan.rates != plan_.rates || plan.polarity != plan_.polarity) {  // all else is the experiment's
                 steps_.clear();
                 any_set_.clear();
-                reasons_.clear();
+                needs_.clear();
                 means_ = nullptr;
             }
             if (means_) means_->forget();
@@ -125,79 +123,56 @@ private:
         for (std::size_t i = 0; i < active.size(); ++i) {
             if (std::holds_alternative<Expand>(experiment().rules[i].action)) active[i] = false;
         }
-        double& work = work_[active];
-        work += static_cast<double>(count) * static_cast<double>(do_cells());
-        const Path path = path_for(active, work, iteration);
-        if (steps_.size() >= session_->options().variants && !steps_.contains({active, path})) {
-            std::unique_ptr<LatticeKernel>& step = any_set_[path];
-            if (!step) step = make_step(std::vector<bool>(active.size(), true), true, path, iteration);
+        const Choice choice = choice_for(active, iteration, count);
+        if (steps_.size() >= session_->options().variants && !steps_.contains({active, choice.path})) {
+            std::unique_ptr<LatticeKernel>& step = any_set_[choice.path];
+            if (!step) step = make_step(std::vector<bool>(active.size(), true), true, for_any_set(choice), iteration);
             return *step;
         }
-        std::unique_ptr<LatticeKernel>& step = steps_[{active, path}];
-        if (!step) step = make_step(active, false, path, iteration);
+        std::unique_ptr<LatticeKernel>& step = steps_[{active, choice.path}];
+        if (!step) step = make_step(active, false, choice, iteration);
         return *step;
     }
 
-    Path path_for(const std::vector<bool>& active, double work, std::uint64_t iteration) {
-        switch (session_->options().fusion) {
-            case Fusion::always:
-                return Path::streamed;
-            case Fusion::tiled:
-                return Path::tiled;
-            case Fusion::automatic:
-                if (tiles_pay(*session_)) return Path::tiled;
-                return wants_streaming(active, work, iteration) ? Path::streamed : Path::plain;
-            default:
-                return Path::plain;
-        }
-    }
-
-    // A streamed program takes seconds to compile: some `work`, in cell-updates, must have come by, and so much must
-    // lie ahead under these rules.
-    bool wants_streaming(const std::vector<bool>& active, double work, std::uint64_t iteration) {
-        if (!is_cpu(*session_) || work < 2e8) return false;
+    Choice choice_for(const std::vector<bool>& active, std::uint64_t iteration, std::uint64_t count) {
         const auto cells = static_cast<double>(do_cells());
-        return streaming_pays(experiment(), active, iteration, cells, fits_caches(), work) &&
-               reason_against(active).empty();
+        Work work{cells, bytes_a_cell(experiment(), plan_, every_use_, session_->options().precision), 0, {}};
+        work.done = work_[active] += static_cast<double>(count) * cells;
+        work.ahead = work_ahead(experiment(), active, iteration, cells);
+        return choose(session_->info(), needs_of(active), work, session_->options());
     }
 
-    const std::string& reason_against(const std::vector<bool>& active) {
-        const auto known = reasons_.find(active);
-        if (known != reasons_.end()) return known->second;
+    // The same path, cut for a program that tests at run time which rules act.
+    Choice for_any_set(const Choice& choice) const {
+        OpenclOptions options = session_->options();
+        options.path = choice.path;
+        Choice any = choose(session_->info(), rule_needs(experiment(), plan_, every_use_), {}, options);
+        any.why = choice.why;
+        return any;
+    }
+
+    const RuleNeeds& needs_of(const std::vector<bool>& active) {
+        const auto known = needs_.find(active);
+        if (known != needs_.end()) return known->second;
         const RuleUse use = emit_rules(experiment(), active, session_->options().precision).use;
-        return reasons_[active] = why_not_streamed(plan_, use);
+        return needs_[active] = rule_needs(experiment(), plan_, use);
     }
 
-    bool fits_caches() const {
-        std::size_t fields = 0;
-        const LatticeTraits traits(experiment(), plan_, every_use_);
-        for (std::size_t i = 0; i < plan_.rates.size(); ++i) fields += traits.idle(i) ? 0 : 1;
-        return caches_hold(session_->info(), static_cast<double>(2 * fields * session_->scalar_bytes() * do_cells()));
-    }
-
-    std::unique_ptr<LatticeKernel> make_step(const std::vector<bool>& active, bool test_intervals, Path path,
+    std::unique_ptr<LatticeKernel> make_step(const std::vector<bool>& active, bool test_intervals, const Choice& choice,
                                              std::uint64_t iteration) {
-        std::unique_ptr<LatticeKernel> step;
-        if (path == Path::plain) {
-            if (!means_ && means_pay(*session_, plan_, every_use_)) {
-                means_ = std::make_shared<LatticeMeans>(*session_, experiment(), plan_);
-            }
-            step = std::make_unique<LatticeStep>(*session_, experiment(), plan_, active, test_intervals, means_);
-        } else {
-            step = std::make_unique<FusedStep>(*session_, experiment(), plan_, active, test_intervals,
-                                               path == Path::tiled);
+        note(fmt::format("from iteration {}: ", iteration), choice.text());
+        if (choice.path == Path::streamed || choice.path == Path::tiled) {
+            return std::make_unique<FusedStep>(*session_, experiment(), plan_, active, test_intervals, choice);
         }
-        const bool shared = shares_steps(*session_);
-        const std::string reason =
-            fits_caches() ? "caches hold the lattice, streaming would gain too little" : reason_against(active);
-        note(iteration, step->describe(), path != Path::plain || !shared ? "" : reason);
-        return step;
+        if (!means_ && means_pay(*session_, plan_, every_use_)) {
+            means_ = std::make_shared<LatticeMeans>(*session_, experiment(), plan_);
+        }
+        return std::make_unique<LatticeStep>(*session_, experiment(), plan_, active, test_intervals, choice, means_);
     }
 
-    void note(std::uint64_t iteration, const std::string& how, const std::string& reason) {
-        const std::string text = reason.empty() ? how : how + "; not streamed: " + reason;
+    void note(const std::string& when, const std::string& text) {
         if (text == latest_note_ || notes_.size() == most_notes) return;
-        notes_.push_back(fmt::format("from iteration {}: {}", iteration, text));
+        notes_.push_back(when + text);
         latest_note_ = text;
     }
 
@@ -232,7 +207,7 @@ private:
         queue.enqueueWriteBuffer(found_, CL_TRUE, 0, found.size() * 4, found.data());
         Arguments(*session_, finder_)
             .add(state_->conc().now(), found_, grid.columns, grid.rows, grid.pitch(), found.size());
-        const bool strips = is_cpu(*session_);
+        const bool strips = session_->info().processor();
         const std::size_t items =
             strips ? std::min<std::size_t>(grid.rows, 8 * session_->info().compute_units) : grid.rows;
         session_->launch(finder_, cl::NDRange(items, strips ? 1 : 64), cl::NDRange(1, 1));
@@ -254,7 +229,7 @@ private:
     // By active rules and path; any_set_ tests at run time which rules act.
     std::map<std::pair<std::vector<bool>, Path>, std::unique_ptr<LatticeKernel>> steps_;
     std::map<Path, std::unique_ptr<LatticeKernel>> any_set_;
-    std::map<std::vector<bool>, std::string> reasons_;  // against streaming, by active rules
+    std::map<std::vector<bool>, RuleNeeds> needs_;  // by active rules
     std::vector<std::string> notes_;
     std::string latest_note_;
     cl::Buffer parameters_;

@@ -33,7 +33,7 @@ std::string neighbours_source(std::size_t width) {
 NeighbourTuning NeighbourTuning::of(const Session& session) {
     NeighbourTuning tuning;
     // rusticl on llvmpipe ends a work-item after 65,535 turns of its loops: many short chunks for it too.
-    if (session.info().type == "cpu" && !session.info().software_rasteriser()) {
+    if (session.info().processor()) {
         tuning.chunks = std::clamp<std::size_t>(session.info().compute_units, 1, 32);
         tuning.per_chunk = 8192;
     } else {

@@ -1,4 +1,4 @@
-// Fused iterations: the bits of the reference, however deep the passes and however the lattice is shared out.
+// Streamed iterations: the bits of the reference, however deep the passes and however the lattice is shared out.
 #include "busy_lattice.hpp"
 #include "lattice_run.hpp"
 #include "opencl/lattice/explain.hpp"
@@ -9,9 +9,9 @@ using namespace test;
 
 namespace {
 
-OpenclOptions fused(std::size_t width = 0) {
+OpenclOptions streamed(std::size_t width = 0) {
     OpenclOptions made;
-    made.fusion = Fusion::always;
+    made.path = Path::streamed;
     made.variants = 1;  // few programs: they take long to compile
     made.width = width;
     return made;
@@ -19,16 +19,16 @@ OpenclOptions fused(std::size_t width = 0) {
 
 // Bands so narrow that the larger sizes have several with margins, and the smaller ones one without.
 OpenclOptions banded() {
-    OpenclOptions made = fused();
+    OpenclOptions made = streamed();
     made.cut.columns = 32;
     return made;
 }
 
 }  // namespace
 
-TEST_CASE("fused: diffusion") { check_cases("diffusion/", banded(), {1, 3}); }
-TEST_CASE("fused: every reaction") { check_cases("reaction/", banded()); }
-TEST_CASE("fused: a reaction may read a chemical that nothing changes") {
+TEST_CASE("streamed: diffusion") { check_cases("diffusion/", banded(), {1, 3}); }
+TEST_CASE("streamed: every reaction") { check_cases("reaction/", banded()); }
+TEST_CASE("streamed: a reaction may read a chemical that nothing changes") {
     Lab lab = Lab::matrix(61, 37, Boundary::wrap);
     const std::size_t u = lab.chemical("U", {0.5, 0.5}, {0.2, 0}, unbounded);
     const std::size_t v = lab.chemical("V", {0.5, 0.5}, {0, 0}, unbounded);
@@ -36,22 +36,22 @@ TEST_CASE("fused: a reaction may read a chemical that nothing changes") {
     const Experiment experiment = lab.time_step(0.1).done();
 
     require_equal(run(*reference_backend(Precision::single_), experiment, {40}),
-                  run(*opencl_backend(fused()), experiment, {40}));
+                  run(*opencl_backend(streamed()), experiment, {40}));
 }
-TEST_CASE("fused: polarized cells") {
+TEST_CASE("streamed: polarized cells") {
     check_cases("rates/polarized/nine-point", banded());
     check_cases("rates/polarized/five-point/no-flux", banded());
     check_cases("rates/polarized/published", banded());
 }
-TEST_CASE("fused: uneven rates") { check_cases("rates/uneven", banded(), {0, 2}); }
-TEST_CASE("fused: rules") { check_cases("rules/", banded(), {2, 3}); }
-TEST_CASE("fused: growth") {
+TEST_CASE("streamed: uneven rates") { check_cases("rates/uneven", banded(), {0, 2}); }
+TEST_CASE("streamed: rules") { check_cases("rules/", banded(), {2, 3}); }
+TEST_CASE("streamed: growth") {
     check_cases("growth/no-flux", banded());
     check_cases("growth/plain", banded());
 }
 
-TEST_CASE("fused: several bands and strips, odd remainders") {
-    const auto device = opencl_backend(fused());
+TEST_CASE("streamed: several bands and strips, odd remainders") {
+    const auto device = opencl_backend(streamed());
     const auto reference = reference_backend(Precision::single_);
     for (const Boundary boundary : {Boundary::wrap, Boundary::no_flux, Boundary::absorbing}) {
         const Experiment experiment = busy(601, 97, boundary);
@@ -64,15 +64,15 @@ TEST_CASE("fused: several bands and strips, odd remainders") {
     }
 }
 
-TEST_CASE("fused: one work-group alone takes many passes a launch") {
-    const auto device = opencl_backend(fused());
+TEST_CASE("streamed: one work-group alone takes many passes a launch") {
+    const auto device = opencl_backend(streamed());
     const Experiment experiment = busy(61, 67, Boundary::no_flux);
 
     require_equal(run(*reference_backend(Precision::single_), experiment, {500}), run(*device, experiment, {500}));
 }
 
-TEST_CASE("fused: strips of whole rows share the passes of a launch") {
-    const auto device = opencl_backend(fused());
+TEST_CASE("streamed: strips of whole rows share the passes of a launch") {
+    const auto device = opencl_backend(streamed());
     const auto reference = reference_backend(Precision::single_);
     for (const Boundary boundary : {Boundary::wrap, Boundary::no_flux, Boundary::absorbing}) {
         for (const std::size_t columns : {208u, 213u}) {
@@ -87,57 +87,43 @@ TEST_CASE("fused: strips of whole rows share the passes of a launch") {
     }
 }
 
-TEST_CASE("fused: double, and one cell a vector") {
-    OpenclOptions twice = fused();
+TEST_CASE("streamed: double, and one cell a vector") {
+    OpenclOptions twice = streamed();
     twice.precision = Precision::double_;
     const Experiment experiment = busy(41, 37, Boundary::wrap);
 
     require_equal(run(*reference_backend(Precision::double_), experiment, {40}),
                   run(*opencl_backend(twice), experiment, {40}));
     require_equal(run(*reference_backend(Precision::single_), experiment, {40}),
-                  run(*opencl_backend(fused(1)), experiment, {40}));
+                  run(*opencl_backend(streamed(1)), experiment, {40}));
 }
 
 TEST_CASE("shared steps: strips that wait for each other, and one launch an iteration, give the same bits") {
     OpenclOptions shared;
-    shared.fusion = Fusion::shared;
-    OpenclOptions plain;
-    plain.fusion = Fusion::never;
+    shared.path = Path::shared;
+    OpenclOptions step;
+    step.path = Path::step;
     for (const Boundary boundary : {Boundary::wrap, Boundary::no_flux, Boundary::absorbing}) {
         const Experiment experiment = busy(131, 97, boundary);
         const Snapshot expected = run(*reference_backend(Precision::single_), experiment, {300});
 
         require_equal(expected, run(*opencl_backend(shared), experiment, {300}));
         require_equal(expected, run(*opencl_backend(shared), experiment, {7, 100, 1, 192}));
-        require_equal(expected, run(*opencl_backend(plain), experiment, {300}));
+        require_equal(expected, run(*opencl_backend(step), experiment, {300}));
     }
 }
 
-TEST_CASE("fused: why a program is not streamed is said in words") {
-    LatticePlan plan;
-    plan.rates = {RateKind::uniform, RateKind::none};
-    RuleUse draws;
-    draws.random = true;
-    RuleUse turns;
-    turns.polarizes.insert(0);
-
-    CHECK(why_not_streamed(plan, RuleUse{}).empty());
-    CHECK(why_not_streamed(plan, draws) == "random draws, not memory, set its pace");
-    CHECK(why_not_streamed(plan, turns) == "polarities that follow gradients, not memory, set its pace");
-    plan.rates[1] = RateKind::per_cell;
-    CHECK(why_not_streamed(plan, RuleUse{}) == "diffusion rates that differ between cells, not memory, set its pace");
-}
-
-TEST_CASE("fused: every set of rules of an experiment is explained") {
+TEST_CASE("streamed: every set of rules of an experiment is explained") {
     const Experiment experiment = busy(16, 16, Boundary::wrap);
 
-    const auto sentences = explain_lattice(experiment, initial_state(experiment), Precision::single_);
+    const auto sentences =
+        explain_lattice(experiment, initial_state(experiment), Precision::single_, usual_processor());
 
     REQUIRE(sentences.size() == 1);
     CHECK(sentences.front().find("from iteration 0, the rules of lines") == 0);
-    CHECK(sentences.front().find("random draws, not memory, set its pace") != std::string::npos);
-    const auto tissue = opencl_backend(fused())->make_tissue(experiment);
+    CHECK(sentences.front().find(": shared, ") != std::string::npos);
+    const auto tissue = opencl_backend(streamed())->make_tissue(experiment);
     tissue->advance(2);
     REQUIRE(tissue->notes().size() == 1);
-    CHECK(tissue->notes().front().find("from iteration 0: fused, streamed") == 0);
+    CHECK(tissue->notes().front().find("from iteration 0: streamed, up to ") == 0);
 }
