@@ -16,7 +16,7 @@ void insert(benchmark::State& state, bool column) {
     const auto& cases = bench::all_cases();
     const auto one = std::ranges::find_if(cases, [](const bench::Case& c) { return c.name == "three-chemicals"; });
     const auto experiment = std::make_shared<const Experiment>(bench::experiment_of(*one, side));
-    const auto session = micro::session(Fusion::never);
+    const auto session = micro::session(Path::step);
     const auto tissue = make_opencl_lattice(session, experiment, initial_state(*experiment));
     std::uint64_t iteration = 0;
     double cells = 0;

@@ -12,9 +12,9 @@
 
 namespace micro {
 
-inline std::shared_ptr<const pelage::Session> session(pelage::Fusion fusion = pelage::Fusion::automatic) {
+inline std::shared_ptr<const pelage::Session> session(pelage::Path path = pelage::Path::automatic) {
     pelage::OpenclOptions options;
-    options.fusion = fusion;
+    options.path = path;
     return std::make_shared<const pelage::Session>(pelage::select_device(), options);
 }
 
