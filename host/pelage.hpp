@@ -4,6 +4,7 @@
 
 #include "core/error.hpp"
 #include "core/experiment.hpp"
+#include "core/growable.hpp"
 #include "core/prepattern.hpp"
 #include "core/snapshot.hpp"
 #include "core/space.hpp"

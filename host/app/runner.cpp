@@ -1,5 +1,6 @@
 // See runner.hpp.
 #include "app/runner.hpp"
+#include "core/searching.hpp"
 
 #include "app/commands.hpp"
 #include "app/finite_guard.hpp"
@@ -82,7 +83,7 @@ private:
         const double seconds = std::chrono::duration<double>(Clock::now() - start).count();
         size_.took(count, seconds);
         tally_.seconds += seconds;
-        tally_.notes = tissue_.notes();
+        tally_.notes = tissue_.report();
         tally_.updates += static_cast<double>(count) * (cells_before + static_cast<double>(tissue_.cells())) / 2;
         progress_.show(experiment_.phase_at(first).name, tissue_.iteration(), tally_.updates);
         return breakdown;
@@ -91,7 +92,7 @@ private:
     // A sample costs about one exact search, so one a batch.
     void sample_search(bool growing) {
         if (options_.neighbour_search() != NeighbourSearch::spatial_sorting) return;
-        const auto found = tissue_.search_statistics();
+        const auto found = search_statistics(tissue_);
         if (!found) return;
         tally_.search += *found;
         if (growing) tally_.growing += *found;

@@ -1,6 +1,7 @@
 // See forecast.hpp.
 #include "core/forecast.hpp"
 
+#include "core/events.hpp"
 #include "core/prepattern.hpp"
 #include "core/schedule.hpp"
 
@@ -46,7 +47,7 @@ std::uint64_t end_of_set(const Experiment& experiment, const std::vector<bool>& 
     std::uint64_t end = forever;
     for (std::size_t i = 0; i < experiment.rules.size(); ++i) {
         const Rule& rule = experiment.rules[i];
-        if (std::holds_alternative<Expand>(rule.action)) continue;
+        if (is_event(rule)) continue;
         if (active[i] && rule.until != forever) end = std::min(end, rule.until + 1);
         if (!active[i] && rule.every == 1) end = std::min(end, next_active(rule, iteration));
     }

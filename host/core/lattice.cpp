@@ -10,15 +10,6 @@ namespace pelage {
 
 namespace {
 
-bool rules_change_rate(const Experiment& experiment, std::size_t chemical) {
-    return std::any_of(experiment.rules.begin(), experiment.rules.end(), [&](const Rule& rule) {
-        const auto hits = [&](const auto* action) {
-            return action != nullptr && action->target == Target::rate && action->chemical == chemical;
-        };
-        return hits(std::get_if<Change>(&rule.action)) || hits(std::get_if<Set>(&rule.action));
-    });
-}
-
 // Judged from the statements, not from a state: a phase may later make unequal rates equal, and a run resumed from
 // there must take the same formula.
 bool prepattern_varies_rate(const Experiment& experiment, std::size_t chemical) {
@@ -35,17 +26,10 @@ bool prepattern_varies_rate(const Experiment& experiment, std::size_t chemical) 
     return false;
 }
 
-RateKind rate_kind(const Experiment& experiment, const Snapshot& initial, std::size_t chemical) {
-    if (experiment.chemicals[chemical].anisotropic || rules_change_rate(experiment, chemical))
+RateKind lattice_rate(const Experiment& experiment, const Snapshot& initial, std::size_t chemical) {
+    if (experiment.chemicals[chemical].anisotropic || prepattern_varies_rate(experiment, chemical))
         return RateKind::per_cell;
-    if (prepattern_varies_rate(experiment, chemical)) return RateKind::per_cell;
-    const std::vector<double>& rates = initial.diff[chemical];
-    const double first = rates.empty() ? 0.0 : rates.front();
-    const bool same = std::all_of(rates.begin(), rates.end(), [&](double rate) { return rate == first; });
-    if (!same) return RateKind::per_cell;
-    const bool phased = std::any_of(experiment.phases.begin(), experiment.phases.end(),
-                                    [&](const Phase& phase) { return phase.rates[chemical].has_value(); });
-    return first == 0.0 && !phased ? RateKind::none : RateKind::uniform;
+    return rate_kind(experiment, initial.diff[chemical], chemical);
 }
 
 bool uses_polarity(const Experiment& experiment, const Snapshot& initial) {
@@ -68,7 +52,7 @@ LatticePlan lattice_plan(const Experiment& experiment, const Snapshot& initial) 
     plan.columns = initial.columns;  // it may have grown
     plan.rows = initial.rows;
     for (std::size_t chemical = 0; chemical < experiment.chemicals.size(); ++chemical) {
-        plan.rates.push_back(rate_kind(experiment, initial, chemical));
+        plan.rates.push_back(lattice_rate(experiment, initial, chemical));
     }
     plan.polarity = uses_polarity(experiment, initial);
     return plan;

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "core/experiment.hpp"
+#include "core/rates.hpp"
 #include "core/snapshot.hpp"
 #include "core/space.hpp"
 
@@ -9,12 +10,6 @@
 #include <vector>
 
 namespace pelage {
-
-enum class RateKind {
-    none,     // 0 everywhere and for good: the chemical does not diffuse
-    uniform,  // the same in all cells at any one time
-    per_cell  // differs between cells, or a rule may make it differ, or direction matters (anisotropic)
-};
 
 struct LatticePlan : Lattice {
     std::vector<RateKind> rates;  // one a chemical

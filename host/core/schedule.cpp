@@ -1,6 +1,8 @@
 // See schedule.hpp.
 #include "core/schedule.hpp"
 
+#include "core/events.hpp"
+
 #include <algorithm>
 
 namespace pelage {
@@ -14,7 +16,7 @@ bool Rule::active(std::uint64_t iteration) const {
 std::vector<bool> active_rules(const Experiment& experiment, std::uint64_t iteration) {
     std::vector<bool> active;
     active.reserve(experiment.rules.size());
-    for (const Rule& rule : experiment.rules) active.push_back(rule.active(iteration));
+    for (const Rule& rule : experiment.rules) active.push_back(!is_event(rule) && rule.active(iteration));
     return active;
 }
 
@@ -28,6 +30,7 @@ std::uint64_t next_active(const Rule& rule, std::uint64_t iteration) {
 std::uint64_t next_change(const Experiment& experiment, std::uint64_t iteration) {
     std::uint64_t change = forever;
     for (const Rule& rule : experiment.rules) {
+        if (is_event(rule)) continue;
         std::uint64_t toggle = forever;
         if (!rule.active(iteration)) {
             toggle = next_active(rule, iteration);

@@ -8,6 +8,7 @@
 
 namespace pelage {
 
+// Rules that are events (core/events.hpp) are never among them.
 std::vector<bool> active_rules(const Experiment&, std::uint64_t iteration);
 
 // The first iteration after `iteration` at which another set of rules is active; forever when there is none.

@@ -4,9 +4,7 @@
 #include "core/columns.hpp"
 #include "core/error.hpp"
 #include "core/prepattern.hpp"
-#include "core/schedule.hpp"
 #include "core/seed.hpp"
-#include "core/space.hpp"
 
 #include <fmt/format.h>
 
@@ -81,14 +79,10 @@ void Tissue::advance(std::uint64_t iterations) {
     lost_ = true;
     const std::uint64_t end = iteration_ + iterations;
     while (iteration_ < end) {
-        begin_iteration();
-        std::uint64_t next = end;
-        for (const Phase& phase : experiment_->phases) {
-            if (phase.begin > iteration_) next = std::min(next, phase.begin);
+        for (const Event& event : events_before(*experiment_, iteration_)) {
+            std::visit([&](const auto& one) { take_place(one); }, event);
         }
-        for (const Rule& rule : experiment_->rules) {
-            if (std::holds_alternative<Expand>(rule.action)) next = std::min(next, next_active(rule, iteration_ + 1));
-        }
+        const std::uint64_t next = std::min(end, next_event(*experiment_, iteration_));
         do_advance(iteration_, next - iteration_);
         iteration_ = next;
     }
@@ -100,64 +94,24 @@ void Tissue::check_whole() const {
     throw Error("the tissue's state is lost, for an earlier call failed half-way; write() a state first");
 }
 
-void Tissue::begin_iteration() {
-    const Phase& phase = experiment_->phase_at(iteration_);
-    if (phase.begin == iteration_) {
-        for (std::size_t chemical = 0; chemical < phase.rates.size(); ++chemical) {
-            if (phase.rates[chemical]) do_set_rate(chemical, *phase.rates[chemical]);
-        }
-    }
-    for (std::size_t rule = 0; rule < experiment_->rules.size(); ++rule) {
-        const auto* growth = std::get_if<Expand>(&experiment_->rules[rule].action);
-        if (growth == nullptr || !experiment_->rules[rule].active(iteration_)) continue;
-        if (growth->interpolation) {
-            stretch(*growth);
-            continue;
-        }
-        for (std::size_t nth = 0; nth < growth->columns + growth->rows; ++nth) {
-            const bool column = growth->rows_first ? nth >= growth->rows : nth < growth->columns;
-            insert(draw_insertion(*growth, column, columns_, rows_, experiment_->run_seed(), iteration_, rule, nth));
-        }
+void Tissue::take_place(const NewPhase& event) {
+    const auto& rates = event.phase->rates;
+    for (std::size_t chemical = 0; chemical < rates.size(); ++chemical) {
+        if (rates[chemical]) do_set_rate(chemical, *rates[chemical]);
     }
 }
 
-void Tissue::expand(const Insertion& insertion) {
-    if (columns_ == 0) throw Error("only a lattice can be expanded; this tissue has free cells");
-    const std::size_t lines = insertion.column ? rows_ : columns_;
-    const std::size_t places = insertion.column ? columns_ : rows_;
-    if (insertion.picks.size() != lines) {
-        throw Error(fmt::format("an expansion of a {} x {} matrix needs {} picks; found {}", columns_, rows_, lines,
-                                insertion.picks.size()));
-    }
-    for (const std::uint32_t pick : insertion.picks) {
-        if (pick >= places) throw Error(fmt::format("a pick of {} lies outside 0..{}", pick, places - 1));
-    }
-    check_whole();
-    insert(insertion);
-}
+void Tissue::take_place(const Expansion&) { throw Error("only a lattice can be expanded; this tissue has free cells"); }
 
-void Tissue::check_room(std::size_t columns, std::size_t rows) const {
-    if (rows <= largest_cell_count / columns) return;
-    throw Error(
-        fmt::format("growth past {} cells at iteration {}; no more can be addressed", largest_cell_count, iteration_));
-}
-
-void Tissue::insert(const Insertion& insertion) {
-    check_room(columns_ + (insertion.column ? 1 : 0), rows_ + (insertion.column ? 0 : 1));
+void Tissue::reshape(std::size_t columns, std::size_t rows, const std::function<void()>& change) {
+    if (rows > largest_cell_count / columns) {
+        throw Error(fmt::format("growth past {} cells at iteration {}; no more can be addressed", largest_cell_count,
+                                iteration_));
+    }
     const bool within_advance = lost_;
     lost_ = true;
-    do_expand(insertion);
+    change();
     lost_ = within_advance;
-    (insertion.column ? columns_ : rows_) += 1;
-}
-
-void Tissue::stretch(const Expand& growth) {
-    const std::size_t columns = columns_ + growth.columns;
-    const std::size_t rows = rows_ + growth.rows;
-    check_room(columns, rows);
-    const bool wrap = std::get<Lattice>(space_of(*experiment_)).boundary == Boundary::wrap;
-    do_resample(
-        {sampling(*growth.interpolation, wrap, columns_, columns), sampling(*growth.interpolation, wrap, rows_, rows)});
     columns_ = columns;
     rows_ = rows;
 }

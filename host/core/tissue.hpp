@@ -1,6 +1,7 @@
 // The waist: all that the layers above know of a running simulation and of the machine that runs it.
 #pragma once
 
+#include "core/events.hpp"
 #include "core/experiment.hpp"
 #include "core/growth.hpp"
 #include "core/neighbours.hpp"
@@ -10,6 +11,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <functional>
 #include <memory>
 #include <optional>
 #include <string>
@@ -23,6 +25,7 @@ struct NonFinite {  // a concentration that is NaN or infinite
 };
 
 // One running simulation. advance(a); advance(b) gives the bits of advance(a + b), on every backend.
+// What only some tissues can do is an interface of its own: core/growable.hpp, core/searching.hpp.
 // Public calls check their arguments once for all backends; the virtual calls below them do the work.
 class Tissue {
 public:
@@ -36,13 +39,10 @@ public:
     std::size_t columns() const { return columns_; }  // 0 for free cells
     std::size_t rows() const { return rows_; }
 
-    // After advance(), expand() or write() has failed half-way the state is lost: every call but write() throws Error.
+    // After advance() or write() has failed half-way the state is lost: every call but write() throws Error.
 
-    // Carries out `iterations` whole iterations, with the expansions and phase changes that fall into them.
+    // Carries out `iterations` whole iterations, with the events that fall into them (core/events.hpp).
     void advance(std::uint64_t iterations);
-
-    // Lattices only: applies one expansion at once. Throws Error when its picks do not fit the matrix.
-    void expand(const Insertion&);
 
     Snapshot read() const;
     // Throws Error when the arrays do not fit the experiment, or hold what no run can come to: an iteration that is too
@@ -53,31 +53,28 @@ public:
     std::optional<NonFinite> non_finite() const;
 
     // How iterations have been carried out so far, a sentence each; empty where there is nothing to tell.
-    virtual std::vector<std::string> notes() const { return {}; }
-
-    // Of the latest iteration's neighbour search, counted when asked; empty where the search is exact by construction.
-    virtual std::optional<SearchStatistics> search_statistics() const { return std::nullopt; }
+    virtual std::vector<std::string> report() const { return {}; }
 
 protected:
     // Takes iteration and shape from `initial`; the derived class takes the arrays.
     Tissue(std::shared_ptr<const Experiment>, const Snapshot& initial);
 
+    // Throws Error when the state is lost.
+    void check_whole() const;
+    // Carries out `change`, by which the lattice takes that shape. Throws Error when it would have too many cells.
+    void reshape(std::size_t columns, std::size_t rows, const std::function<void()>& change);
+
 private:
     virtual std::size_t do_cells() const = 0;
-    // Iterations first .. first + count - 1; no expansion and no phase begins after `first` among them.
+    // Iterations first .. first + count - 1; no event comes between them.
     virtual void do_advance(std::uint64_t first, std::uint64_t count) = 0;
-    virtual void do_expand(const Insertion&) = 0;  // the duplicates are born in iteration()
-    virtual void do_resample(const Resampling&) = 0;
     virtual void do_set_rate(std::size_t chemical, double rate) = 0;  // of every cell
     virtual Snapshot do_read() const = 0;                             // iteration is filled in by read()
     virtual void do_write(const Snapshot&) = 0;
     virtual std::optional<NonFinite> do_non_finite() const = 0;
 
-    void begin_iteration();
-    void insert(const Insertion&);
-    void stretch(const Expand&);  // by interpolation
-    void check_room(std::size_t columns, std::size_t rows) const;
-    void check_whole() const;
+    void take_place(const NewPhase&);
+    virtual void take_place(const Expansion&);  // see growable.hpp
 
     std::shared_ptr<const Experiment> experiment_;
     std::uint64_t iteration_ = 0;

@@ -42,7 +42,7 @@ std::size_t depth_of(const Candidate& candidate) {
 
 // The latest note, without the iteration from which it holds.
 std::string how_of(const Tissue& tissue) {
-    const std::vector<std::string> notes = tissue.notes();
+    const std::vector<std::string> notes = tissue.report();
     if (notes.empty()) return {};
     const auto colon = notes.back().find(": ");
     return colon == std::string::npos ? notes.back() : notes.back().substr(colon + 2);

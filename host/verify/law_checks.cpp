@@ -1,4 +1,5 @@
 // See check.hpp: what must hold whatever the numbers are, on states drawn from the seed.
+#include "core/growable.hpp"
 #include "core/growth.hpp"
 #include "core/prepattern.hpp"
 #include "verify/cases.hpp"
@@ -187,7 +188,7 @@ Outcome projects(Place& place, std::uint64_t seed) {
         for (std::size_t i = 0; i < lines; ++i)
             insertion.picks.push_back(static_cast<std::uint32_t>(engine() % places));
         const auto tissue = place.backend({}).make_tissue(from.experiment, from.state);
-        tissue->expand(insertion);
+        growable(*tissue).expand(insertion);
         const Snapshot grown = tissue->read();
         Snapshot back = from.state;
         for (std::size_t cell = 0; cell < back.cells(); ++cell) {

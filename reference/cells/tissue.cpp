@@ -3,6 +3,8 @@
 
 #include "core/error.hpp"
 #include "core/finite.hpp"
+#include "core/rates.hpp"
+#include "core/searching.hpp"
 #include "core/subnormal.hpp"
 #include "reference/cells/divide.hpp"
 #include "reference/cells/interaction.hpp"
@@ -13,7 +15,6 @@
 #include <algorithm>
 #include <cmath>
 #include <type_traits>
-#include <variant>
 
 namespace pelage {
 
@@ -21,30 +22,13 @@ namespace reference {
 
 namespace {
 
-bool rules_change_rate(const Experiment& experiment, std::size_t chemical) {
-    return std::ranges::any_of(experiment.rules, [&](const Rule& rule) {
-        const auto hits = [&](const auto* action) {
-            return action != nullptr && action->target == Target::rate && action->chemical == chemical;
-        };
-        return hits(std::get_if<Change>(&rule.action)) || hits(std::get_if<Set>(&rule.action));
-    });
-}
-
-// False where the rate is 0 in every cell and nothing can change that.
-bool ever_diffuses(const Experiment& experiment, const Snapshot& state, std::size_t chemical) {
-    return rules_change_rate(experiment, chemical) ||
-           std::ranges::any_of(state.diff[chemical], [](double rate) { return rate != 0.0; }) ||
-           std::ranges::any_of(experiment.phases,
-                               [&](const Phase& phase) { return phase.rates[chemical].has_value(); });
-}
-
 template <class T>
 T clamped(T value, T low, T high) {
     return value < low ? low : value > high ? high : value;
 }
 
 template <class T>
-class Cells : public Tissue {
+class Cells final : public Tissue, public Searching {
 public:
     Cells(std::shared_ptr<const Experiment> shared, const Snapshot& initial, NeighbourSearch search,
           SpatialSorting sorting)
@@ -66,13 +50,6 @@ private:
     void do_advance(std::uint64_t first, std::uint64_t count) override {
         const SubnormalsAreZero scope(std::is_same_v<T, float>);
         for (std::uint64_t i = 0; i < count; ++i) step(first + i);
-    }
-    void do_expand(const Insertion&) override {
-        throw Error("only a lattice can be expanded; this tissue has free cells");
-    }
-
-    void do_resample(const Resampling&) override {
-        throw Error("only a lattice can be expanded; this tissue has free cells");
     }
     void do_set_rate(std::size_t chemical, double rate) override {
         std::ranges::fill(old_.diff[chemical], in_precision<T>(rate));
@@ -106,7 +83,8 @@ void Cells<T>::take(const Snapshot& snapshot) {
     interaction_.diffuses.clear();
     interaction_.anisotropic.clear();
     for (std::size_t chemical = 0; chemical < experiment().chemicals.size(); ++chemical) {
-        interaction_.diffuses.push_back(ever_diffuses(experiment(), snapshot, chemical) ? 1 : 0);
+        interaction_.diffuses.push_back(
+            rate_kind(experiment(), snapshot.diff[chemical], chemical) != RateKind::none ? 1 : 0);
         interaction_.anisotropic.push_back(experiment().chemicals[chemical].anisotropic ? 1 : 0);
     }
 }

@@ -2,6 +2,7 @@
 #include "reference/lattice/tissue.hpp"
 
 #include "core/finite.hpp"
+#include "core/growable.hpp"
 #include "core/lattice.hpp"
 #include "core/subnormal.hpp"
 #include "reference/lattice/exchange.hpp"
@@ -19,10 +20,10 @@ namespace {
 using namespace reference;
 
 template <class T>
-class LatticeTissue final : public Tissue {
+class LatticeTissue final : public Growable {
 public:
     LatticeTissue(std::shared_ptr<const Experiment> experiment, const Snapshot& initial)
-        : Tissue(std::move(experiment), initial) {
+        : Growable(std::move(experiment), initial) {
         do_write(initial);
     }
 

@@ -1,6 +1,8 @@
 // What holds for the tissue as a whole: splits, states that are taken and given back, domains, mirrors, movement.
 #include "cells_reference/runs.hpp"
 #include "core/error.hpp"
+#include "core/growable.hpp"
+#include "core/searching.hpp"
 
 #include <catch2/catch.hpp>
 
@@ -70,11 +72,11 @@ TEST_CASE("bins and k-d tree are one search here, spatial sorting is another and
     CHECK(test::same(test::after(*bins, 40), test::after(*tree, 40)));
     sorting->advance(40);
 
-    CHECK_FALSE(bins->search_statistics().has_value());
-    CHECK_FALSE(tree->search_statistics().has_value());
-    REQUIRE(sorting->search_statistics().has_value());
-    CHECK(sorting->search_statistics()->neighbours_exact > 500);
-    CHECK(sorting->search_statistics()->miss_rate() < 0.2);
+    CHECK_FALSE(search_statistics(*bins).has_value());
+    CHECK_FALSE(search_statistics(*tree).has_value());
+    REQUIRE(search_statistics(*sorting).has_value());
+    CHECK(search_statistics(*sorting)->neighbours_exact > 500);
+    CHECK(search_statistics(*sorting)->miss_rate() < 0.2);
 }
 
 TEST_CASE("float and double agree to rounding while nothing amplifies it") {
@@ -273,7 +275,7 @@ TEST_CASE("free cells refuse what only a lattice can") {
     lattice.columns = 12;
     lattice.rows = 13;
 
-    CHECK_THROWS_AS(tissue->expand({true, {0, 0}}), Error);
+    CHECK_THROWS_AS(growable(*tissue).expand({true, {0, 0}}), Error);
     CHECK_THROWS_AS(tissue->write(lattice), Error);
     CHECK_THROWS_AS(test::cells(lively, lattice), Error);
 }

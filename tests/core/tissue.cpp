@@ -1,5 +1,6 @@
 // The waist: what Tissue does for every backend before the backend's own work.
 #include "core/tissue.hpp"
+#include "core/growable.hpp"
 
 #include "core/error.hpp"
 #include "core/prepattern.hpp"
@@ -17,10 +18,10 @@ using Catch::Matchers::Contains;
 namespace {
 
 // Writes down what it was asked to do.
-class Recorder : public Tissue {
+class Recorder : public Growable {
 public:
     Recorder(const Experiment& experiment, const Snapshot& initial)
-        : Tissue(std::make_shared<const Experiment>(experiment), initial), state_(initial) {}
+        : Growable(std::make_shared<const Experiment>(experiment), initial), state_(initial) {}
 
     std::vector<std::string> log;
 
@@ -121,9 +122,9 @@ TEST_CASE("expand refuses picks that do not fit") {
     const Experiment experiment = test::turing_matrix(3, 2);
     Recorder tissue(experiment, initial_state(experiment));
 
-    CHECK_THROWS_WITH(tissue.expand({true, {0, 1, 2}}), Contains("needs 2 picks; found 3"));
-    CHECK_THROWS_WITH(tissue.expand({true, {0, 3}}), Contains("a pick of 3 lies outside 0..2"));
-    CHECK_NOTHROW(tissue.expand({true, {0, 2}}));
+    CHECK_THROWS_WITH(growable(tissue).expand({true, {0, 1, 2}}), Contains("needs 2 picks; found 3"));
+    CHECK_THROWS_WITH(growable(tissue).expand({true, {0, 3}}), Contains("a pick of 3 lies outside 0..2"));
+    CHECK_NOTHROW(growable(tissue).expand({true, {0, 2}}));
 }
 
 TEST_CASE("write refuses a state of another shape") {

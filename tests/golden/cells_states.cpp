@@ -1,5 +1,6 @@
 // Free cells of the published program while they run: deterministic states to rounding, the start of growth by chance.
 #include "core/prepattern.hpp"
+#include "core/searching.hpp"
 #include "support/published_check.hpp"
 #include "support/shared.hpp"
 
@@ -103,7 +104,7 @@ TEST_CASE("the published leopard after its first hundred iterations of growth") 
     CHECK(test::ks_distance(state.conc[1], conc[1]) < test::ks_limit(near.size(), theirs.size(), 1e-3));
     const std::vector<double> counts(state.neighbours.begin(), state.neighbours.end());
     CHECK(test::total_variation(counts, published.array("neighbors_4100")) < 0.05);
-    const auto statistics = tissue->search_statistics();
+    const auto statistics = search_statistics(*tissue);
     REQUIRE(statistics.has_value());
     CHECK(statistics->miss_rate() < 0.05);
 }

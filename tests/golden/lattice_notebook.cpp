@@ -1,5 +1,6 @@
 // See lattice_notebook.hpp.
 #include "lattice_notebook.hpp"
+#include "core/growable.hpp"
 
 #include "support/shared.hpp"
 
@@ -101,7 +102,7 @@ void Growth::insert(Tissue& tissue, bool column) {
     for (std::size_t line = 0; line < (column ? tissue.rows() : tissue.columns()); ++line) {
         insertion.picks.push_back(static_cast<std::uint32_t>(picks_.at(next_++)));
     }
-    tissue.expand(insertion);
+    growable(tissue).expand(insertion);
 }
 
 }  // namespace test

@@ -1,5 +1,6 @@
 // Whole published runs of growing tissues: by statistics, with draws of our own.
 #include "core/neighbours.hpp"
+#include "core/searching.hpp"
 #include "support/published_check.hpp"
 #include "support/shared.hpp"
 
@@ -31,7 +32,7 @@ Grown grow(const Experiment& experiment, std::uint64_t iterations) {
         if (tissue->iteration() % (iterations / 5) == 0) {
             grown.population[tissue->iteration()] = static_cast<double>(tissue->cells());
         }
-        const auto search = tissue->search_statistics();
+        const auto search = search_statistics(*tissue);
         if (search && tissue->cells() > first) grown.search += *search;
     }
     Snapshot state = tissue->read();

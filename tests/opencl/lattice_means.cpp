@@ -1,4 +1,5 @@
 // Rates between neighbours that are taken once: they follow whatever changes the rates.
+#include "core/growable.hpp"
 #include "core/lattice.hpp"
 #include "lattice_run.hpp"
 #include "opencl/lattice/means.hpp"
@@ -38,9 +39,9 @@ TEST_CASE("means of rates follow growth, rates set anew and states written") {
     };
 
     both([](Tissue& tissue) { tissue.advance(3); });
-    both([](Tissue& tissue) { tissue.expand(every_second(tissue, true)); });
+    both([](Tissue& tissue) { growable(tissue).expand(every_second(tissue, true)); });
     both([](Tissue& tissue) { tissue.advance(3); });
-    both([](Tissue& tissue) { tissue.expand(every_second(tissue, false)); });
+    both([](Tissue& tissue) { growable(tissue).expand(every_second(tissue, false)); });
     both([](Tissue& tissue) { tissue.advance(3); });
     both([&](Tissue& tissue) { tissue.write(before); });
     both([](Tissue& tissue) { tissue.advance(3); });

@@ -124,6 +124,6 @@ TEST_CASE("streamed: every set of rules of an experiment is explained") {
     CHECK(sentences.front().find(": shared, ") != std::string::npos);
     const auto tissue = opencl_backend(streamed())->make_tissue(experiment);
     tissue->advance(2);
-    REQUIRE(tissue->notes().size() == 1);
-    CHECK(tissue->notes().front().find("from iteration 0: streamed, up to ") == 0);
+    REQUIRE(tissue->report().size() == 1);
+    CHECK(tissue->report().front().find("from iteration 0: streamed, up to ") == 0);
 }

@@ -86,7 +86,7 @@ TEST_CASE("tiled: a run says that it took them, and how deep") {
     const auto tissue = opencl_backend(tiled({4, 8, 8, 4}))->make_tissue(experiment);
     tissue->advance(2);
 
-    REQUIRE(tissue->notes().size() == 1);
-    CHECK(tissue->notes().front() ==
+    REQUIRE(tissue->report().size() == 1);
+    CHECK(tissue->report().front() ==
           "from iteration 0: tiled, up to 4 iterations of a tile in local memory; as asked for");
 }

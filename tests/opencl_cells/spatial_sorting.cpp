@@ -2,6 +2,7 @@
 #include "opencl/neighbours/spatial_sorting.hpp"
 #include "core/error.hpp"
 #include "core/prepattern.hpp"
+#include "core/searching.hpp"
 #include "opencl/neighbours/neighbours.hpp"
 #include "reference/cells/tissue.hpp"
 #include "reference/neighbours/spatial_sorting.hpp"
@@ -130,18 +131,18 @@ rule from 10 probability 0.01 divide direction 0 dev 180
 
     test::check_equal_runs(*expected, *found, 120, 20);
 
-    REQUIRE(found->search_statistics());
+    REQUIRE(search_statistics(*found));
     CHECK(found->cells() > 2 * initial.cells());
-    CHECK(found->search_statistics()->neighbours_exact == expected->search_statistics()->neighbours_exact);
-    CHECK(found->search_statistics()->neighbours_missed == expected->search_statistics()->neighbours_missed);
-    CHECK(found->search_statistics()->cells == expected->search_statistics()->cells);
+    CHECK(search_statistics(*found)->neighbours_exact == search_statistics(*expected)->neighbours_exact);
+    CHECK(search_statistics(*found)->neighbours_missed == search_statistics(*expected)->neighbours_missed);
+    CHECK(search_statistics(*found)->cells == search_statistics(*expected)->cells);
 }
 
 TEST_CASE("an exact search has no misses to count, a window that is not offered is refused") {
     const auto experiment = test::experiment("define chemical A\ncreate cell 0 0\n");
     CellsOptions options;
 
-    CHECK_FALSE(test::on_device(experiment, options)->search_statistics());
+    CHECK_FALSE(search_statistics(*test::on_device(experiment, options)));
 
     options.search = NeighbourSearch::spatial_sorting;
     options.sorting.window = 49;

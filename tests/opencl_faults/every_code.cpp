@@ -1,5 +1,6 @@
 // Each error code of the standard at each OpenCL function, and tissues that go on after a failure.
 #include "codes.hpp"
+#include "core/searching.hpp"
 #include "faults.hpp"
 
 #include "core/error.hpp"
@@ -70,7 +71,7 @@ public:
         tissue_->write(initial_);
         tissue_->advance(iterations);
         tissue_->non_finite();
-        tissue_->search_statistics();
+        search_statistics(*tissue_);
         tissue_->read();
     }
 

@@ -1,5 +1,6 @@
 // Expansion: what is duplicated, what shifts, and the way back.
 #include "core/error.hpp"
+#include "core/growable.hpp"
 #include "lab.hpp"
 
 #include <catch2/catch.hpp>
@@ -40,7 +41,7 @@ TEST_CASE("a column is inserted by duplicating the pick of each row") {
                      7, 8, 9};
     const auto tissue = test::start(experiment, state);
 
-    tissue->expand({true, {0, 1, 2}});
+    growable(*tissue).expand({true, {0, 1, 2}});
 
     const Snapshot grown = tissue->read();
     CHECK(grown.columns == 4);
@@ -59,7 +60,7 @@ TEST_CASE("a row is inserted by duplicating the pick of each column") {
                      4, 5, 6};
     const auto tissue = test::start(experiment, state);
 
-    tissue->expand({false, {0, 1, 0}});
+    growable(*tissue).expand({false, {0, 1, 0}});
 
     const Snapshot grown = tissue->read();
     CHECK(grown.columns == 3);
@@ -92,7 +93,7 @@ TEST_CASE("expansion then projection returns the original, in every field") {
         }
         const auto tissue = test::start(experiment, state);
 
-        tissue->expand(insertion);
+        growable(*tissue).expand(insertion);
 
         const Snapshot grown = tissue->read();
         const auto back = [&](const auto& values) {
@@ -120,11 +121,11 @@ TEST_CASE("a duplicate is born in the iteration in which it is inserted") {
     state.birth = {1, 2, 3, 4, 5, 6};
     const auto tissue = test::start(experiment, state);
 
-    tissue->expand({true, {0, 2}});
+    growable(*tissue).expand({true, {0, 2}});
     CHECK(tissue->read().birth == std::vector<std::uint32_t>{1, 7, 2, 3, 4, 5, 6, 7});
 
     tissue->advance(1);
-    tissue->expand({false, {1, 0, 1, 0}});
+    growable(*tissue).expand({false, {1, 0, 1, 0}});
     CHECK(tissue->read().birth == std::vector<std::uint32_t>{1, 7, 2, 3, 4, 8, 6, 8, 8, 5, 8, 7});
 }
 
@@ -206,7 +207,7 @@ TEST_CASE("a grown tissue diffuses as one that was that large from the start") {
     state.diff = {Values(24, 0.1), Values(24, 0.02)};
     const auto grown = test::start(small, state);
     grown->advance(5);
-    grown->expand({true, {0, 5, 2, 3}});
+    growable(*grown).expand({true, {0, 5, 2, 3}});
     const Snapshot middle = grown->read();
 
     const auto large = test::start(two_chemicals(7, 4), middle);
@@ -221,8 +222,8 @@ TEST_CASE("picks that do not fit are refused") {
     const Experiment experiment = two_chemicals(4, 3);
     const auto tissue = test::start(experiment, test::blank(experiment));
 
-    CHECK_THROWS_AS(tissue->expand({true, {0, 0}}), Error);
-    CHECK_THROWS_AS(tissue->expand({true, {0, 0, 4}}), Error);
-    CHECK_THROWS_AS(tissue->expand({false, {0, 0, 0, 3}}), Error);
+    CHECK_THROWS_AS(growable(*tissue).expand({true, {0, 0}}), Error);
+    CHECK_THROWS_AS(growable(*tissue).expand({true, {0, 0, 4}}), Error);
+    CHECK_THROWS_AS(growable(*tissue).expand({false, {0, 0, 0, 3}}), Error);
     CHECK(tissue->cells() == 12);
 }

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "core/experiment.hpp"
-#include "core/lattice.hpp"
+#include "core/rates.hpp"
 #include "core/snapshot.hpp"
 #include "core/tissue.hpp"
 #include "opencl/cells/state.hpp"

@@ -3,6 +3,7 @@
 
 #include "core/error.hpp"
 #include "core/finite.hpp"
+#include "core/searching.hpp"
 #include "core/subnormal.hpp"
 #include "opencl/cells/divide.hpp"
 #include "opencl/cells/lists.hpp"
@@ -53,7 +54,7 @@ double packed_half(std::size_t cells, double area) {
     return static_cast<double>(side / T(2));
 }
 
-class OpenclCells final : public Tissue {
+class OpenclCells final : public Tissue, public Searching {
 public:
     OpenclCells(std::shared_ptr<const Session> session, std::shared_ptr<const Experiment> shared,
                 const Snapshot& initial, const CellsOptions& options);
@@ -63,12 +64,6 @@ public:
 private:
     std::size_t do_cells() const override { return static_cast<std::size_t>(state_.cells()); }
     void do_advance(std::uint64_t first, std::uint64_t count) override;
-    void do_expand(const Insertion&) override {
-        throw Error("only a lattice can be expanded; this tissue has free cells");
-    }
-    void do_resample(const Resampling&) override {
-        throw Error("only a lattice can be expanded; this tissue has free cells");
-    }
     void do_set_rate(std::size_t chemical, double rate) override {
         with_device(session_->info().name, [&] { state_.fill_rate(chemical, rate); });
     }

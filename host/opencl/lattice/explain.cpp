@@ -55,10 +55,7 @@ std::vector<std::string> explain_lattice(const Experiment& experiment, const Sna
     std::set<std::vector<bool>> known;
     const std::uint64_t last = experiment.last_iteration();
     for (std::uint64_t iteration = 0; iteration < last; iteration = next_change(experiment, iteration)) {
-        std::vector<bool> active = active_rules(experiment, iteration);
-        for (std::size_t i = 0; i < active.size(); ++i) {
-            if (std::holds_alternative<Expand>(experiment.rules[i].action)) active[i] = false;
-        }
+        const std::vector<bool> active = active_rules(experiment, iteration);
         if (!known.insert(active).second) continue;
         if (sentences.size() == most_sentences) {
             sentences.push_back("and so on, with further sets of rules");

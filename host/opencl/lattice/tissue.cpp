@@ -1,6 +1,7 @@
 // See tissue.hpp.
 #include "opencl/lattice/tissue.hpp"
 
+#include "core/growable.hpp"
 #include "core/schedule.hpp"
 #include "core/subnormal.hpp"
 #include "opencl/device/cl_error.hpp"
@@ -18,7 +19,6 @@
 #include <algorithm>
 #include <map>
 #include <utility>
-#include <variant>
 
 namespace pelage {
 
@@ -41,15 +41,15 @@ std::vector<Parameter> phase_parameters(const Experiment& experiment, const Latt
     return values;
 }
 
-class OpenclLattice final : public Tissue {
+class OpenclLattice final : public Growable {
 public:
     OpenclLattice(std::shared_ptr<const Session> session, std::shared_ptr<const Experiment> experiment,
                   const Snapshot& initial)
-        : Tissue(std::move(experiment), initial), session_(std::move(session)), pace_(*session_) {
+        : Growable(std::move(experiment), initial), session_(std::move(session)), pace_(*session_) {
         do_write(initial);
     }
 
-    std::vector<std::string> notes() const override { return notes_; }
+    std::vector<std::string> report() const override { return notes_; }
 
 private:
     static constexpr std::size_t most_notes = 64;
@@ -119,10 +119,7 @@ private:
 
     // The kernel for `count` iterations from `iteration` on.
     LatticeKernel& step_for(std::uint64_t iteration, std::uint64_t count) {
-        std::vector<bool> active = active_rules(experiment(), iteration);
-        for (std::size_t i = 0; i < active.size(); ++i) {
-            if (std::holds_alternative<Expand>(experiment().rules[i].action)) active[i] = false;
-        }
+        const std::vector<bool> active = active_rules(experiment(), iteration);
         const Choice choice = choice_for(active, iteration, count);
         if (steps_.size() >= session_->options().variants && !steps_.contains({active, choice.path})) {
             std::unique_ptr<LatticeKernel>& step = any_set_[choice.path];
