@@ -108,3 +108,18 @@ TEST_CASE("kernels, OpenCL and reference have rooms of the same names") {
         CHECK(fs::is_directory(source / "reference" / room));
     }
 }
+
+TEST_CASE("a kernel and what launches it have one name") {
+    const std::set<std::string> others{"cells/alone",        // the frame around cells/step.cl, as cells/together.cl is
+                                       "neighbours/lists"};  // the second half of neighbours/bins.cl
+    std::size_t seen = 0;
+    for (const auto& entry : fs::recursive_directory_iterator(source / "kernels")) {
+        const std::string name = entry.path().lexically_relative(source / "kernels").replace_extension().string();
+        if (name.starts_with("common/") || others.contains(name)) continue;
+        if (!std::regex_search(read_all(entry.path()), std::regex("(^|\n)(__)?kernel "))) continue;
+        INFO(name);
+        CHECK(fs::exists(source / "host/opencl" / (name + ".cpp")));
+        ++seen;
+    }
+    CHECK(seen > 10);
+}

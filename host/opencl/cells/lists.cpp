@@ -12,7 +12,7 @@ namespace pelage {
 
 namespace {
 
-constexpr std::size_t cells_a_gatherer = 1024;
+constexpr std::size_t cells_a_mover = 1024;
 
 }  // namespace
 
@@ -21,7 +21,7 @@ CellsLists::CellsLists(const Session& session, const CellsOptions& options, cons
       options_(options),
       tuning_(options.tuning.value_or(NeighbourTuning::of(session))),
       bins_(session, tuning_),
-      gather_(service, "pelage_cells_gather") {
+      move_(service, "pelage_cells_move") {
     if (!(options.skin >= 0)) throw Error(fmt::format("a skin of {}; it must not be negative", options.skin));
     if (options.approximate()) matrix_.emplace(session, options.sorting);
 }
@@ -51,14 +51,14 @@ void CellsLists::sort(CellsState& state) {
     bins_.sort(state.now(CellArray::position), state.pitch(), state.cells(), reach());
     const auto cells = static_cast<std::size_t>(state.cells());
     const std::size_t most = tuning_.width > 1 ? tuning_.chunks : cells;
-    const std::size_t gatherers = tuning_.width > 1 ? std::clamp<std::size_t>(cells / cells_a_gatherer, 1, most) : most;
-    Arguments arguments(session_, gather_);
-    arguments.add(state.cells(), state.pitch(), static_cast<cl_int>(gatherers), state.chemicals(), state.mappings(),
+    const std::size_t movers = tuning_.width > 1 ? std::clamp<std::size_t>(cells / cells_a_mover, 1, most) : most;
+    Arguments arguments(session_, move_);
+    arguments.add(state.cells(), state.pitch(), static_cast<cl_int>(movers), state.chemicals(), state.mappings(),
                   bins_.order());
     state.add_now(arguments);
     state.add_spare(arguments);
     arguments.add(state.built(), state.place_of());
-    launch(session_, gather_, gatherers, tuning_.width > 1 ? 1 : tuning_.group);
+    launch(session_, move_, movers, tuning_.width > 1 ? 1 : tuning_.group);
     state.flip_all();
 }
 

@@ -12,7 +12,7 @@ namespace pelage {
 
 class CellsLists {
 public:
-    // `service`: the program of cells/gather.cl. Throws Error for a negative skin and a window that is not offered.
+    // `service`: the program of cells/lists.cl. Throws Error for a negative skin and a window that is not offered.
     CellsLists(const Session&, const CellsOptions&, const cl::Program& service);
 
     // Brings the cells into the order of their bins and finds their lists; the approximate search leaves them where
@@ -42,7 +42,7 @@ private:
     NeighbourBins bins_;
     std::optional<DeviceMatrix> matrix_;
     DeviceLists lists_;
-    cl::Kernel gather_;
+    cl::Kernel move_;
 };
 
 }  // namespace pelage

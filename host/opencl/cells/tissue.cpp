@@ -2,12 +2,12 @@
 #include "opencl/cells/tissue.hpp"
 
 #include "core/error.hpp"
-#include "core/finite.hpp"
 #include "core/searching.hpp"
 #include "core/subnormal.hpp"
 #include "opencl/cells/divide.hpp"
 #include "opencl/cells/lists.hpp"
 #include "opencl/cells/mirror.hpp"
+#include "opencl/cells/non_finite.hpp"
 #include "opencl/cells/programs.hpp"
 #include "opencl/cells/state.hpp"
 #include "opencl/cells/together.hpp"
@@ -43,7 +43,7 @@ std::size_t divide_rules(const Experiment& experiment) {
 std::string service_source() {
     Source source;
     source.file("common/prelude.cl").file("common/scan.cl").file("cells/state.cl");
-    source.file("cells/gather.cl").file("cells/divide.cl").file("cells/mirror.cl").file("cells/check.cl");
+    source.file("cells/lists.cl").file("cells/divide.cl").file("cells/mirror.cl").file("cells/non_finite.cl");
     return source.str();
 }
 
@@ -92,8 +92,8 @@ private:
     CellMirrors mirrors_;
     CellsTogether together_;
     std::optional<CellsPrograms> programs_;
-    mutable cl::Kernel check_;
-    cl::Buffer progress_, found_;
+    mutable CellsNonFinite non_finite_;
+    cl::Buffer progress_;
     bool fresh_ = false;  // the lists hold for the state
     std::size_t batch_ = 1;
 };
@@ -110,13 +110,12 @@ OpenclCells::OpenclCells(std::shared_ptr<const Session> session, std::shared_ptr
       division_(*session_, tuning_, service_),
       mirrors_(*session_, service_),
       together_(*session_),
-      check_(service_, "pelage_cells_check") {
+      non_finite_(*session_, service_, tuning_.group) {
     if (initial.lattice()) throw Error("a lattice has no free cells; it is stepped as a lattice");
     const std::string reason = why_not_cells(experiment());
     if (!reason.empty()) throw Error(experiment().source + ": " + reason);
     options_.batch = options.approximate() ? 1 : std::max<std::size_t>(1, options.batch);
     progress_ = session_->buffer((options_.batch + 1) * sizeof(Progress), "progress of a batch");
-    found_ = session_->buffer(sizeof(cl_int), "mark of a value that is not finite");
     take(initial);
 }
 
@@ -273,16 +272,7 @@ std::optional<SearchStatistics> OpenclCells::search_statistics() const {
 }
 
 std::optional<NonFinite> OpenclCells::do_non_finite() const {
-    return with_device(session_->info().name, [&]() -> std::optional<NonFinite> {
-        session_->queue().enqueueFillBuffer(found_, cl_int{0}, 0, sizeof(cl_int));
-        Arguments(*session_, check_)
-            .add(state_.now(CellArray::conc), state_.cells(), state_.pitch(), state_.chemicals(), found_);
-        launch(*session_, check_, do_cells(), tuning_.group);
-        cl_int found = 0;
-        session_->queue().enqueueReadBuffer(found_, CL_TRUE, 0, sizeof found, &found);
-        if (found == 0) return std::nullopt;
-        return first_non_finite(state_.download().conc);
-    });
+    return with_device(session_->info().name, [&] { return non_finite_.first_in(state_); });
 }
 
 }  // namespace

@@ -1,7 +1,6 @@
 // See fused_step.hpp.
 #include "opencl/lattice/fused_step.hpp"
 
-#include "opencl/device/launch.hpp"
 #include "opencl/lattice/emit_lattice.hpp"
 
 #include <utility>
@@ -9,20 +8,16 @@
 namespace pelage {
 
 FusedStep::FusedStep(const Session& session, const Experiment& experiment, const LatticePlan& plan,
-                     const std::vector<bool>& active, bool test_intervals, Choice choice)
-    : session_(session),
-      choice_(std::move(choice)),
-      seed_(static_cast<std::uint64_t>(experiment.run_seed())),
-      tiled_(choice_.path == Path::tiled),
-      shared_(session) {
+                     const std::vector<bool>& active, bool test_intervals, Choice choice, SourceOf source,
+                     const char* kernel)
+    : session_(session), choice_(std::move(choice)), seed_(static_cast<std::uint64_t>(experiment.run_seed())) {
     const RuleText rules = emit_rules(experiment, active, session.options().precision, test_intervals);
     writes_rates_ = !rules.use.rates_written.empty();
     writes_polarity_ = !rules.use.polarizes.empty();
     writes_mappings_ = !rules.use.mappings_written.empty();
-    const auto source = tiled_ ? tile_source : stream_source;
     const cl::Program program = session.build(source(experiment, plan, rules, bounded_chemicals(experiment),
                                                      session.options().precision, choice_.width, choice_.cut));
-    kernel_ = cl::Kernel(program, tiled_ ? "pelage_lattice_tile" : "pelage_lattice_stream");
+    kernel_ = cl::Kernel(program, kernel);
 }
 
 void FusedStep::swap_planes(LatticeState& state) const {
@@ -44,21 +39,13 @@ void FusedStep::set_arguments(LatticeState& state, const cl::Buffer& parameters,
     arguments.add(grid.columns, grid.rows, grid.pitch(), launch.vectors, launch.strip);
     arguments.add(static_cast<cl_uint>(first), launch.steps, launch.passes, static_cast<cl_uint>(seed_ & 0xffffffffu),
                   static_cast<cl_uint>(seed_ >> 32));
-    if (!tiled_) arguments.add(launch.margin);
-    if (!choice_.cut.together) return;
-    if (launch.together) {
-        shared_.prepare(arguments, launch.strips, launch.passes);
-    } else {
-        arguments.add(parameters, cl_int{0}, cl_int{0}, cl_int{0});  // any buffer: nothing is shared
-    }
+    add_more(arguments, launch, parameters);
 }
 
 void FusedStep::enqueue(LatticeState& state, const cl::Buffer& parameters, std::uint64_t first, std::uint64_t count,
                         Pace& pace) {
     while (count > 0) {
-        const FusedLaunch launch =
-            tiled_ ? tile_launch(state.grid(), choice_.cut, choice_.width, count)
-                   : stream_launch(session_.info(), state.grid(), choice_.cut, choice_.width, count);
+        const FusedLaunch launch = next_launch(state.grid(), count);
         set_arguments(state, parameters, launch, first);
         session_.launch(kernel_, cl::NDRange(launch.bands * choice_.cut.group, launch.strips),
                         cl::NDRange(choice_.cut.group, 1));

@@ -12,37 +12,11 @@ namespace pelage {
 
 namespace {
 
-cl::Kernel expand_kernel(const Session& session, const char* element) {
-    Source source;
-    source.file("common/prelude.cl").text(std::string("#define ELEMENT ") + element).file("lattice/expand.cl");
-    return cl::Kernel(session.build(source.str()), "pelage_lattice_expand");
-}
-
 std::size_t cell_place(const Grid& grid, std::size_t plane, std::size_t row) {
     return 16 + plane * grid.plane() + (row + 1) * grid.pitch();
 }
 
 }  // namespace
-
-void PlaneExpander::prepare(const Insertion& insertion) {
-    if (insertion.picks.size() > capacity_) {
-        capacity_ = insertion.picks.size() + insertion.picks.size() / 2;
-        picks_ = session_.buffer(capacity_ * 4, "places of an expansion");
-    }
-    session_.queue().enqueueWriteBuffer(picks_, CL_TRUE, 0, insertion.picks.size() * 4, insertion.picks.data());
-    by_column_ = insertion.column;
-}
-
-void PlaneExpander::apply(const cl::Buffer& from, const cl::Buffer& to, const Grid& grid, std::size_t planes,
-                          bool integers, std::optional<std::uint32_t> birth) {
-    const Grid after = grid.grown(by_column_);
-    cl::Kernel& kernel = integers ? integers_ : scalars_;
-    if (kernel() == nullptr) kernel = expand_kernel(session_, integers ? "int" : "scalar");
-    Arguments(session_, kernel)
-        .add(from, to, picks_, static_cast<cl_int>(by_column_), grid.columns, grid.rows, grid.pitch(), after.pitch(),
-             planes, static_cast<cl_int>(birth.has_value()), static_cast<cl_int>(birth.value_or(0)));
-    launch_over_rows(session_, kernel, after);
-}
 
 void launch_over_rows(const Session& session, const cl::Kernel& kernel, const Grid& grid) {
     const bool strips = session.info().processor();

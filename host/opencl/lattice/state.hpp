@@ -3,6 +3,7 @@
 
 #include "core/lattice.hpp"
 #include "core/snapshot.hpp"
+#include "opencl/lattice/expand.hpp"
 #include "opencl/lattice/kept_field.hpp"
 #include "opencl/lattice/planes.hpp"
 #include "opencl/lattice/resample.hpp"

@@ -9,10 +9,12 @@
 #include "opencl/device/program.hpp"
 #include "opencl/lattice/choice.hpp"
 #include "opencl/lattice/emit_lattice.hpp"
-#include "opencl/lattice/fused_step.hpp"
 #include "opencl/lattice/means.hpp"
+#include "opencl/lattice/non_finite.hpp"
 #include "opencl/lattice/state.hpp"
 #include "opencl/lattice/step.hpp"
+#include "opencl/lattice/stream.hpp"
+#include "opencl/lattice/tile.hpp"
 
 #include <fmt/format.h>
 
@@ -114,7 +116,10 @@ private:
     }
 
     std::optional<NonFinite> do_non_finite() const override {
-        return with_device(session_->info().name, [&] { return find_non_finite(); });
+        return with_device(session_->info().name, [&] {
+            if (!finder_) finder_.emplace(*session_);
+            return finder_->first_in(*state_);
+        });
     }
 
     // The kernel for `count` iterations from `iteration` on.
@@ -158,8 +163,11 @@ private:
     std::unique_ptr<LatticeKernel> make_step(const std::vector<bool>& active, bool test_intervals, const Choice& choice,
                                              std::uint64_t iteration) {
         note(fmt::format("from iteration {}: ", iteration), choice.text());
-        if (choice.path == Path::streamed || choice.path == Path::tiled) {
-            return std::make_unique<FusedStep>(*session_, experiment(), plan_, active, test_intervals, choice);
+        if (choice.path == Path::streamed) {
+            return std::make_unique<StreamedStep>(*session_, experiment(), plan_, active, test_intervals, choice);
+        }
+        if (choice.path == Path::tiled) {
+            return std::make_unique<TiledStep>(*session_, experiment(), plan_, active, test_intervals, choice);
         }
         if (!means_ && means_pay(*session_, plan_, every_use_)) {
             means_ = std::make_shared<LatticeMeans>(*session_, experiment(), plan_);
@@ -191,30 +199,6 @@ private:
         parameter_words_ = words;
     }
 
-    std::optional<NonFinite> find_non_finite() const {
-        const Grid& grid = state_->grid();
-        std::vector<cl_uint> found(experiment().chemicals.size(), 0xffffffffu);
-        if (finder_() == nullptr) {
-            Source source;
-            source.file("common/prelude.cl").file("lattice/non_finite.cl");
-            found_ = session_->buffer(found.size() * 4, "search results");
-            finder_ = cl::Kernel(session_->build(source.str()), "pelage_lattice_non_finite");
-        }
-        const cl::CommandQueue& queue = session_->queue();
-        queue.enqueueWriteBuffer(found_, CL_TRUE, 0, found.size() * 4, found.data());
-        Arguments(*session_, finder_)
-            .add(state_->conc().now(), found_, grid.columns, grid.rows, grid.pitch(), found.size());
-        const bool strips = session_->info().processor();
-        const std::size_t items =
-            strips ? std::min<std::size_t>(grid.rows, 8 * session_->info().compute_units) : grid.rows;
-        session_->launch(finder_, cl::NDRange(items, strips ? 1 : 64), cl::NDRange(1, 1));
-        queue.enqueueReadBuffer(found_, CL_TRUE, 0, found.size() * 4, found.data());
-        for (std::size_t chemical = 0; chemical < found.size(); ++chemical) {
-            if (found[chemical] != 0xffffffffu) return NonFinite{chemical, found[chemical]};
-        }
-        return std::nullopt;
-    }
-
     std::shared_ptr<const Session> session_;
     Pace pace_;
     LatticePlan plan_;
@@ -231,9 +215,8 @@ private:
     std::string latest_note_;
     cl::Buffer parameters_;
     std::vector<Parameter> rule_parameters_;
-    std::vector<std::uint32_t> parameter_words_;  // what the buffer holds
-    mutable cl::Kernel finder_;
-    mutable cl::Buffer found_;
+    std::vector<std::uint32_t> parameter_words_;      // what the buffer holds
+    mutable std::optional<LatticeNonFinite> finder_;  // made when first needed
 };
 
 }  // namespace

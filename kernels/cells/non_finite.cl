@@ -1,6 +1,6 @@
 // Looks for concentrations that are no longer numbers.
 
-__kernel void pelage_cells_check(__global const scalar* restrict conc, int n, int pitch, int chemicals,
+__kernel void pelage_cells_non_finite(__global const scalar* restrict conc, int n, int pitch, int chemicals,
                                  __global int* restrict found) {
     const int i = (int)get_global_id(0);
     if (i >= n) return;
