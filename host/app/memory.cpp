@@ -17,8 +17,8 @@ Footprint footprint(const Experiment& experiment, std::uint64_t last, Precision 
     const auto chemicals = static_cast<double>(experiment.chemicals.size());
     const auto mappings = static_cast<double>(experiment.mappings.size());
     const double scalar = precision == Precision::double_ ? 8 : 4;
-    constexpr double integers = 4 + 4 + 1;   // birth, neighbours, fixed
-    constexpr double lists = 8 * 8 + 8 + 4;  // of up to eight neighbours, where they begin, their count
+    constexpr double integers = 4 + 4 + 1;    // birth, neighbours, fixed
+    constexpr double lists = 8 * 14 + 8 + 4;  // of up to eight neighbours, where they begin, their count
     const double state = scalar * (2 * chemicals + mappings + 4) + integers;
     Footprint need;
     need.cells = final_cells(experiment, last);

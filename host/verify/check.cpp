@@ -109,7 +109,8 @@ const char* word(Verdict verdict) {
 
 std::vector<Check> all_checks(std::uint64_t seed) {
     std::vector<Check> checks = primitive_checks(seed);
-    for (auto part : {lattice_checks(), law_checks(seed), cell_checks(), checkpoint_checks(), random_checks(seed)}) {
+    for (auto part : {gather_checks(seed), lattice_checks(), law_checks(seed), cell_checks(), checkpoint_checks(),
+                      random_checks(seed)}) {
         checks.insert(checks.end(), std::make_move_iterator(part.begin()), std::make_move_iterator(part.end()));
     }
     return checks;

@@ -59,11 +59,6 @@ static inline real pelage_directed(real rate, real px, real py, real dx, real dy
     return SELECT((px != R(0)) | (py != R(0)), felt, rate);
 }
 
-// The harmonic mean; equal rates are that rate, 0 and 0 too.
-static inline real pelage_shared_rate(real own, real theirs) {
-    return SELECT(own == theirs, own, (R(2) * (own * theirs)) / (own + theirs));
-}
-
 #ifdef PELAGE_ABSORBING
 #define MEETS ALL_TRUE  // beyond the edge lies 0, at the cell's own rate
 #define MEAN_RATE(own, theirs) SELECT(inside, pelage_shared_rate(own, theirs), own)
@@ -72,28 +67,22 @@ static inline real pelage_shared_rate(real own, real theirs) {
 #define MEAN_RATE(own, theirs) pelage_shared_rate(own, theirs)
 #endif
 
-#ifdef PELAGE_PUBLISHED
-#define FLOW(n, e, difference) ((n) + (((e) * (difference)) * dt))
-#else
-#define FLOW(n, e, difference) fma(((e) * dt) * neighbour_share, difference, n)
-#endif
-
 // Chemical i with plane a##i and one rate for all; or with a plane of rates d##i; or with rates that feel direction.
-#define EXCHANGE_UNIFORM(i) n##i = SELECT(MEETS, FLOW(n##i, r##i, THEIRS(a##i) - c##i), n##i);
+#define EXCHANGE_UNIFORM(i) n##i = SELECT(MEETS, FLOW(n##i, r##i, neighbour_share, THEIRS(a##i) - c##i), n##i);
 
-#define EXCHANGE_PER_CELL(i)                             \
-    {                                                    \
-        const real e = MEAN_RATE(r##i, THEIRS(d##i));    \
-        const real difference = THEIRS(a##i) - c##i;     \
-        n##i = SELECT(MEETS, FLOW(n##i, e, difference), n##i); \
+#define EXCHANGE_PER_CELL(i)                                                    \
+    {                                                                           \
+        const real e = MEAN_RATE(r##i, THEIRS(d##i));                           \
+        const real difference = THEIRS(a##i) - c##i;                            \
+        n##i = SELECT(MEETS, FLOW(n##i, e, neighbour_share, difference), n##i); \
     }
 
-#define EXCHANGE_DIRECTED(i)                                                                                  \
-    {                                                                                                         \
-        const real own = pelage_directed(r##i, px, py, dx, dy, diagonal);                                         \
+#define EXCHANGE_DIRECTED(i)                                                                                            \
+    {                                                                                                                   \
+        const real own = pelage_directed(r##i, px, py, dx, dy, diagonal);                                               \
         const real e = MEAN_RATE(own, pelage_directed(THEIRS(d##i), THEIRS(old_px), THEIRS(old_py), dx, dy, diagonal)); \
-        const real difference = THEIRS(a##i) - c##i;                                                          \
-        n##i = SELECT(MEETS, FLOW(n##i, e, difference), n##i);                                                \
+        const real difference = THEIRS(a##i) - c##i;                                                                    \
+        n##i = SELECT(MEETS, FLOW(n##i, e, neighbour_share, difference), n##i);                                         \
     }
 
 // As the two before where the means are already there, `means##i` the first of their planes (lattice/means.cl).
@@ -109,16 +98,16 @@ static inline real pelage_mean(global const scalar* means, long plane, long at, 
 #define KNOWN_MEAN(mean, own) (mean)
 #endif
 
-#define EXCHANGE_MEANT(i, own)                                                                          \
-    {                                                                                                   \
-        const real e = KNOWN_MEAN(pelage_mean(means##i, plane, at, there, x, columns, side, up), own);  \
-        const real difference = THEIRS(a##i) - c##i;                                                    \
-        n##i = SELECT(MEETS, FLOW(n##i, e, difference), n##i);                                          \
+#define EXCHANGE_MEANT(i, own)                                                                         \
+    {                                                                                                  \
+        const real e = KNOWN_MEAN(pelage_mean(means##i, plane, at, there, x, columns, side, up), own); \
+        const real difference = THEIRS(a##i) - c##i;                                                   \
+        n##i = SELECT(MEETS, FLOW(n##i, e, neighbour_share, difference), n##i);                        \
     }
 
-#define GRADIENT(i)                                                        \
-    {                                                                      \
-        const real difference = THEIRS(a##i) - c##i;                       \
-        gx##i = SELECT(inside, gx##i + (difference * dx) / norm, gx##i);   \
-        gy##i = SELECT(inside, gy##i + (difference * dy) / norm, gy##i);   \
+#define GRADIENT(i)                                                      \
+    {                                                                    \
+        const real difference = THEIRS(a##i) - c##i;                     \
+        gx##i = SELECT(inside, gx##i + (difference * dx) / norm, gx##i); \
+        gy##i = SELECT(inside, gy##i + (difference * dy) / norm, gy##i); \
     }

@@ -1,6 +1,9 @@
 // See exchange.hpp. Cells of a lattice lie 2 apart: the vector between them is (±2 or 0, ±2 or 0).
 #include "reference/lattice/exchange.hpp"
 
+#include "reference/lattice/stencil.hpp"
+#include "reference/neighbours/gather.hpp"
+
 #include <array>
 #include <cmath>
 
@@ -16,21 +19,8 @@ struct Vector {
 };
 
 template <class T>
-Vector<T> vector_to(const Neighbour& neighbour) {
-    return {static_cast<T>(2 * neighbour.right), static_cast<T>(2 * neighbour.up)};
-}
-
-template <class T>
-T weight(Stencil stencil, const Neighbour& neighbour) {
-    const bool diagonal = neighbour.right != 0 && neighbour.up != 0;
-    switch (stencil) {
-        case Stencil::nine_point:
-            return diagonal ? T(1.0 / 6) : T(4.0 / 6);
-        case Stencil::sims:
-            return diagonal ? T(0.05) : T(0.2);
-        default:
-            return T(1);
-    }
+Vector<T> vector_to(Direction to) {
+    return {static_cast<T>(2 * to.right), static_cast<T>(2 * to.up)};
 }
 
 // 1 / sqrt(8) as a sum of two numbers.
@@ -50,11 +40,11 @@ struct DiagonalInverse<double> {
 // rate * |d . p| / |d|. The published program takes the quotient and the product in double and rounds once to float;
 // two floats in place of each double, and no division, give the same bits on any device with fma.
 template <class T>
-T directed(T rate, T px, T py, const Neighbour& neighbour) {
+T directed(T rate, T px, T py, Direction to) {
     if (px == T(0) && py == T(0)) return rate;
-    const Vector<T> d = vector_to<T>(neighbour);
+    const Vector<T> d = vector_to<T>(to);
     const T along = std::fabs(d.x * px + d.y * py);
-    if (neighbour.right == 0 || neighbour.up == 0) return rate * (along * T(0.5));
+    if (to.right == 0 || to.up == 0) return rate * (along * T(0.5));
     const T product = rate * along;
     const T product_error = std::fma(rate, along, -product);
     const T quotient = product * DiagonalInverse<T>::high;
@@ -68,8 +58,8 @@ class Rates {
 public:
     Rates(const State<T>& state, std::size_t chemical, bool anisotropic) : plain_(state.diff[chemical]) {
         if (!anisotropic) return;
-        static constexpr Neighbour axes[] = {{0, 1, 0, false}, {0, 0, 1, false}, {0, 1, 1, false}, {0, 1, -1, false}};
-        for (const Neighbour& axis : axes) {
+        static constexpr Direction axes[] = {{1, 0}, {0, 1}, {1, 1}, {1, -1}};
+        for (const Direction axis : axes) {
             std::vector<T>& rates = along_[axis_of(axis)];
             rates.resize(plain_.size());
             for (std::size_t cell = 0; cell < rates.size(); ++cell) {
@@ -78,36 +68,28 @@ public:
         }
     }
 
-    const std::vector<T>& towards(const Neighbour& neighbour) const {
-        const std::vector<T>& rates = along_[axis_of(neighbour)];
+    const std::vector<T>& towards(Direction to) const {
+        const std::vector<T>& rates = along_[axis_of(to)];
         return rates.empty() ? plain_ : rates;
     }
 
 private:
-    static std::size_t axis_of(const Neighbour& n) {
-        return n.up == 0 ? 0 : n.right == 0 ? 1 : n.right == n.up ? 2 : 3;
-    }
+    static std::size_t axis_of(Direction n) { return n.up == 0 ? 0 : n.right == 0 ? 1 : n.right == n.up ? 2 : 3; }
 
     const std::vector<T>& plain_;
     std::array<std::vector<T>, 4> along_;
 };
 
-// The published program's order: neighbour after neighbour, each rounded on its own.
-template <class T>
-void add_published(std::vector<T>& next, const std::vector<T>& old, std::size_t cell, std::size_t other, T rate, T dt) {
-    next[cell] = next[cell] + ((rate * (old[other] - old[cell])) * dt);
-}
-
 // A row between its first and last cell, neighbour after neighbour for all cells at once.
 template <class T>
 void diffuse_inside(const Medium& medium, std::size_t row, T rate, T dt, const std::vector<T>& old,
                     std::vector<T>& next) {
-    const std::size_t columns = medium.shape.columns;
-    const std::size_t rows = medium.shape.rows;
+    const std::size_t columns = medium.lattice.columns;
+    const std::size_t rows = medium.lattice.rows;
     T* sums = next.data() + row * columns;
     const T* own = old.data() + row * columns;
-    for (const int up : row_order(medium.shape, medium.arithmetic, row)) {
-        if (up > 0 && row + 1 == rows && medium.shape.boundary != Boundary::wrap) continue;  // a grid of one row
+    for (const int up : row_order(medium.lattice, row)) {
+        if (up > 0 && row + 1 == rows && medium.lattice.boundary != Boundary::wrap) continue;  // a grid of one row
         const std::size_t there = up == 0 ? row : up < 0 ? (row + rows - 1) % rows : (row + 1) % rows;
         const T* theirs = old.data() + there * columns;
         for (std::size_t side = 0; side < 3; ++side) {  // left, middle, right
@@ -120,14 +102,15 @@ void diffuse_inside(const Medium& medium, std::size_t row, T rate, T dt, const s
 }
 
 template <class T>
-void diffuse_published(const Medium& medium, T rate, T dt, const std::vector<T>& old, std::vector<T>& next) {
-    const std::size_t columns = medium.shape.columns;
+void diffuse_published(const Medium& medium, const std::vector<T>& rates, T dt, const std::vector<T>& old,
+                       std::vector<T>& next) {
+    const T rate = rates[0];
+    const auto same = [&](std::size_t) -> const std::vector<T>& { return rates; };
+    const std::size_t columns = medium.lattice.columns;
     const auto edge_cell = [&](std::size_t cell) {
-        for (std::size_t i = medium.surroundings.first[cell]; i < medium.surroundings.first[cell + 1]; ++i) {
-            add_published(next, old, cell, medium.surroundings.list[i].cell, rate, dt);
-        }
+        gather_cell(medium.adjacency, Arithmetic::published, cell, same, dt, old, next);
     };
-    for (std::size_t row = 0; row < medium.shape.rows; ++row) {
+    for (std::size_t row = 0; row < medium.lattice.rows; ++row) {
         diffuse_inside(medium, row, rate, dt, old, next);
         edge_cell(row * columns);
         if (columns > 1) edge_cell(row * columns + columns - 1);
@@ -139,13 +122,13 @@ void diffuse_published(const Medium& medium, T rate, T dt, const std::vector<T>&
 template <class T>
 void diffuse_uniform(const Medium& medium, std::size_t chemical, T dt, const State<T>& old, State<T>& next) {
     const T rate = old.diff[chemical][0];
-    if (medium.arithmetic == Arithmetic::published) {
-        diffuse_published(medium, rate, dt, old.conc[chemical], next.conc[chemical]);
+    if (medium.lattice.arithmetic == Arithmetic::published) {
+        diffuse_published(medium, old.diff[chemical], dt, old.conc[chemical], next.conc[chemical]);
         return;
     }
     std::vector<T> sums;
-    laplacian(medium.shape, old.conc[chemical], sums);
-    const T share = (rate * dt) / laplacian_divisor<T>(medium.shape.stencil);
+    laplacian(medium.lattice, old.conc[chemical], sums);
+    const T share = (rate * dt) / laplacian_divisor<T>(medium.lattice.stencil);
     std::vector<T>& values = next.conc[chemical];
     for (std::size_t cell = 0; cell < values.size(); ++cell) values[cell] = std::fma(share, sums[cell], values[cell]);
 }
@@ -153,38 +136,29 @@ void diffuse_uniform(const Medium& medium, std::size_t chemical, T dt, const Sta
 template <class T>
 void diffuse_per_cell(const Medium& medium, std::size_t chemical, bool anisotropic, T dt, const State<T>& old,
                       State<T>& next) {
-    const std::vector<T>& conc = old.conc[chemical];
     const Rates<T> rates(old, chemical, anisotropic);
-    std::vector<T>& values = next.conc[chemical];
-    for (std::size_t cell = 0; cell < conc.size(); ++cell) {
-        for (std::size_t i = medium.surroundings.first[cell]; i < medium.surroundings.first[cell + 1]; ++i) {
-            const Neighbour& neighbour = medium.surroundings.list[i];
-            const std::vector<T>& along = rates.towards(neighbour);
-            const T own_rate = along[cell];
-            const T rate = neighbour.outside ? own_rate : shared_rate(own_rate, along[neighbour.cell]);
-            if (medium.arithmetic == Arithmetic::published) {
-                add_published(values, conc, cell, neighbour.cell, rate, dt);
-            } else {
-                const T theirs = neighbour.outside ? T(0) : conc[neighbour.cell];
-                const T share = (rate * dt) * weight<T>(medium.shape.stencil, neighbour);
-                values[cell] = std::fma(share, theirs - conc[cell], values[cell]);
-            }
-        }
+    const auto towards = [&](std::size_t entry) -> const std::vector<T>& {
+        return rates.towards(medium.adjacency.directions[entry]);
+    };
+    for (std::size_t cell = 0; cell < medium.adjacency.cells(); ++cell) {
+        gather_cell(medium.adjacency, medium.lattice.arithmetic, cell, towards, dt, old.conc[chemical],
+                    next.conc[chemical]);
     }
 }
 
 template <class T>
 void follow_gradients(const Medium& medium, const std::vector<std::int32_t>& requests, const State<T>& old,
                       State<T>& next) {
+    const LatticeAdjacency& adjacency = medium.adjacency;
     for (std::size_t cell = 0; cell < requests.size(); ++cell) {
         if (requests[cell] < 0) continue;
         const std::vector<T>& conc = old.conc[static_cast<std::size_t>(requests[cell])];
         Vector<T> gradient{T(0), T(0)};
-        for (std::size_t i = medium.surroundings.first[cell]; i < medium.surroundings.first[cell + 1]; ++i) {
-            const Neighbour& neighbour = medium.surroundings.list[i];
-            if (neighbour.outside) continue;
-            const Vector<T> d = vector_to<T>(neighbour);
-            const T difference = conc[neighbour.cell] - conc[cell];
+        for (std::size_t entry = adjacency.offsets[cell]; entry < adjacency.offsets[cell + 1]; ++entry) {
+            const std::uint32_t there = adjacency.indices[entry];
+            if (there == Adjacency::nobody) continue;
+            const Vector<T> d = vector_to<T>(adjacency.directions[entry]);
+            const T difference = conc[there] - conc[cell];
             gradient.x = gradient.x + (difference * d.x) / d.length();
             gradient.y = gradient.y + (difference * d.y) / d.length();
         }

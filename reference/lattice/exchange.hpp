@@ -1,8 +1,8 @@
 // Diffusion from neighbour to neighbour, and the gradient that polarity follows.
 #pragma once
 
-#include "core/lattice.hpp"
-#include "reference/lattice/surroundings.hpp"
+#include "core/adjacency.hpp"
+#include "core/space.hpp"
 #include "reference/rules/state.hpp"
 
 #include <cstddef>
@@ -10,16 +10,9 @@
 
 namespace pelage::reference {
 
-// The rate between two cells: 2 d1 d2 / (d1 + d2), so that an impermeable cell (0) exchanges nothing.
-template <class T>
-T shared_rate(T own, T theirs) {
-    return own == theirs ? own : (T(2) * (own * theirs)) / (own + theirs);
-}
-
 struct Medium {  // what diffusion runs through
-    const Shape& shape;
-    Arithmetic arithmetic;
-    const Surroundings& surroundings;
+    Lattice lattice;
+    LatticeAdjacency adjacency;
 };
 
 // next += what `chemical` exchanges in one iteration, where rates are the same in all cells.

@@ -11,19 +11,20 @@ namespace {
 template <class T>
 class PaddedRow {
 public:
-    PaddedRow(const Shape& shape, const std::vector<T>& field, std::ptrdiff_t row) : values_(shape.columns + 2, T(0)) {
-        const auto rows = static_cast<std::ptrdiff_t>(shape.rows);
+    PaddedRow(const Lattice& lattice, const std::vector<T>& field, std::ptrdiff_t row)
+        : values_(lattice.columns + 2, T(0)) {
+        const auto rows = static_cast<std::ptrdiff_t>(lattice.rows);
         if (row < 0 || row >= rows) {
-            if (shape.boundary == Boundary::absorbing) return;
+            if (lattice.boundary == Boundary::absorbing) return;
             const bool below = row < 0;
-            row = (shape.boundary == Boundary::wrap) == below ? rows - 1 : 0;
+            row = (lattice.boundary == Boundary::wrap) == below ? rows - 1 : 0;
         }
-        const T* from = field.data() + static_cast<std::size_t>(row) * shape.columns;
-        for (std::size_t column = 0; column < shape.columns; ++column) values_[column + 1] = from[column];
-        if (shape.boundary == Boundary::absorbing) return;
-        const bool wrap = shape.boundary == Boundary::wrap;
-        values_.front() = from[wrap ? shape.columns - 1 : 0];
-        values_.back() = from[wrap ? 0 : shape.columns - 1];
+        const T* from = field.data() + static_cast<std::size_t>(row) * lattice.columns;
+        for (std::size_t column = 0; column < lattice.columns; ++column) values_[column + 1] = from[column];
+        if (lattice.boundary == Boundary::absorbing) return;
+        const bool wrap = lattice.boundary == Boundary::wrap;
+        values_.front() = from[wrap ? lattice.columns - 1 : 0];
+        values_.back() = from[wrap ? 0 : lattice.columns - 1];
     }
 
     T left(std::size_t column) const { return values_[column]; }
@@ -35,27 +36,27 @@ private:
 };
 
 template <class T>
-std::vector<T> row_sums(const Shape& shape, const PaddedRow<T>& row) {
-    std::vector<T> sums(shape.columns);
-    for (std::size_t column = 0; column < shape.columns; ++column) {
+std::vector<T> row_sums(const Lattice& lattice, const PaddedRow<T>& row) {
+    std::vector<T> sums(lattice.columns);
+    for (std::size_t column = 0; column < lattice.columns; ++column) {
         const T sides = row.left(column) + row.right(column);
         sums[column] =
-            shape.stencil == Stencil::moore ? sides + row.own(column) : std::fma(T(4), row.own(column), sides);
+            lattice.stencil == Stencil::moore ? sides + row.own(column) : std::fma(T(4), row.own(column), sides);
     }
     return sums;
 }
 
 template <class T>
-void nine_cells(const Shape& shape, const std::vector<T>& field, std::vector<T>& sums) {
-    const auto sums_of = [&](std::ptrdiff_t row) { return row_sums(shape, PaddedRow<T>(shape, field, row)); };
+void nine_cells(const Lattice& lattice, const std::vector<T>& field, std::vector<T>& sums) {
+    const auto sums_of = [&](std::ptrdiff_t row) { return row_sums(lattice, PaddedRow<T>(lattice, field, row)); };
     std::vector<T> below = sums_of(-1);
     std::vector<T> own = sums_of(0);
-    for (std::size_t row = 0; row < shape.rows; ++row) {
+    for (std::size_t row = 0; row < lattice.rows; ++row) {
         const std::vector<T> above = sums_of(static_cast<std::ptrdiff_t>(row) + 1);
-        for (std::size_t column = 0; column < shape.columns; ++column) {
-            const std::size_t cell = row * shape.columns + column;
+        for (std::size_t column = 0; column < lattice.columns; ++column) {
+            const std::size_t cell = row * lattice.columns + column;
             const T outer = below[column] + above[column];
-            sums[cell] = shape.stencil == Stencil::moore
+            sums[cell] = lattice.stencil == Stencil::moore
                              ? std::fma(T(-9), field[cell], outer + own[column])
                              : std::fma(T(-36), field[cell], std::fma(T(4), own[column], outer));
         }
@@ -65,13 +66,13 @@ void nine_cells(const Shape& shape, const std::vector<T>& field, std::vector<T>&
 }
 
 template <class T>
-void five_cells(const Shape& shape, const std::vector<T>& field, std::vector<T>& sums) {
-    for (std::size_t row = 0; row < shape.rows; ++row) {
+void five_cells(const Lattice& lattice, const std::vector<T>& field, std::vector<T>& sums) {
+    for (std::size_t row = 0; row < lattice.rows; ++row) {
         const auto at = static_cast<std::ptrdiff_t>(row);
-        const PaddedRow<T> down(shape, field, at - 1), own(shape, field, at), up(shape, field, at + 1);
-        for (std::size_t column = 0; column < shape.columns; ++column) {
+        const PaddedRow<T> down(lattice, field, at - 1), own(lattice, field, at), up(lattice, field, at + 1);
+        for (std::size_t column = 0; column < lattice.columns; ++column) {
             const T sum = (down.own(column) + up.own(column)) + (own.left(column) + own.right(column));
-            sums[row * shape.columns + column] = std::fma(T(-4), own.own(column), sum);
+            sums[row * lattice.columns + column] = std::fma(T(-4), own.own(column), sum);
         }
     }
 }
@@ -79,13 +80,13 @@ void five_cells(const Shape& shape, const std::vector<T>& field, std::vector<T>&
 }  // namespace
 
 template <class T>
-void laplacian(const Shape& shape, const std::vector<T>& field, std::vector<T>& sums) {
+void laplacian(const Lattice& lattice, const std::vector<T>& field, std::vector<T>& sums) {
     sums.resize(field.size());
     if (field.empty()) return;
-    if (shape.stencil == Stencil::five_point) {
-        five_cells(shape, field, sums);
+    if (lattice.stencil == Stencil::five_point) {
+        five_cells(lattice, field, sums);
     } else {
-        nine_cells(shape, field, sums);
+        nine_cells(lattice, field, sums);
     }
 }
 
@@ -94,8 +95,8 @@ T laplacian_divisor(Stencil stencil) {
     return stencil == Stencil::nine_point ? T(6) : stencil == Stencil::sims ? T(20) : T(1);
 }
 
-template void laplacian(const Shape&, const std::vector<float>&, std::vector<float>&);
-template void laplacian(const Shape&, const std::vector<double>&, std::vector<double>&);
+template void laplacian(const Lattice&, const std::vector<float>&, std::vector<float>&);
+template void laplacian(const Lattice&, const std::vector<double>&, std::vector<double>&);
 template float laplacian_divisor(Stencil);
 template double laplacian_divisor(Stencil);
 

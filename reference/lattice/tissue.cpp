@@ -61,38 +61,41 @@ private:
     std::optional<NonFinite> do_non_finite() const override { return first_non_finite(state_.conc); }
 
     void reshape() {
-        shape_ = {state_.columns, state_.rows, plan_.boundary, plan_.stencil};
-        surroundings_ = surroundings(shape_, plan_.arithmetic);
+        medium_.lattice = plan_;
+        medium_.lattice.columns = state_.columns;
+        medium_.lattice.rows = state_.rows;
+        medium_.adjacency = lattice_adjacency(medium_.lattice);
         counts_.resize(state_.cells());
-        for (std::size_t cell = 0; cell < counts_.size(); ++cell) counts_[cell] = surroundings_.count(cell);
+        for (std::size_t cell = 0; cell < counts_.size(); ++cell) {
+            counts_[cell] = static_cast<std::int32_t>(medium_.adjacency.count(cell));
+        }
     }
 
     // Everything is read from state_ and written to next_, which begins as its copy.
     void step(std::uint64_t iteration) {
         const Phase& phase = experiment().phase_at(iteration);
-        const Medium medium{shape_, plan_.arithmetic, surroundings_};
         next_ = state_;
         apply_rules(experiment(), iteration, plan_.arithmetic, state_, next_, requests_);
         for (std::size_t chemical = 0; chemical < next_.conc.size(); ++chemical) {
-            diffuse(medium, chemical, in_precision<T>(phase.time_step));
+            diffuse(chemical, in_precision<T>(phase.time_step));
             replace(requests_.set_conc[chemical], next_.conc[chemical]);
             clamp(phase.bounds[chemical], next_.conc[chemical]);
         }
-        follow_gradients(medium, requests_.polarize, state_, next_);
+        follow_gradients(medium_, requests_.polarize, state_, next_);
         next_.neighbours = counts_;
         std::swap(state_, next_);
     }
 
-    void diffuse(const Medium& medium, std::size_t chemical, T dt) {
+    void diffuse(std::size_t chemical, T dt) {
         switch (plan_.rates[chemical]) {
             case RateKind::none:
                 break;
             case RateKind::uniform:
-                diffuse_uniform(medium, chemical, dt, state_, next_);
+                diffuse_uniform(medium_, chemical, dt, state_, next_);
                 break;
             case RateKind::per_cell: {
                 const bool anisotropic = experiment().chemicals[chemical].anisotropic;
-                diffuse_per_cell(medium, chemical, anisotropic, dt, state_, next_);
+                diffuse_per_cell(medium_, chemical, anisotropic, dt, state_, next_);
                 break;
             }
         }
@@ -111,8 +114,7 @@ private:
     }
 
     LatticePlan plan_;
-    Shape shape_;
-    Surroundings surroundings_;
+    Medium medium_;
     std::vector<std::int32_t> counts_;  // neighbours of each cell
     State<T> state_;
     State<T> next_;

@@ -38,7 +38,7 @@ FAULTS = [
     ("reaction added without its scale", "kernels/rules/reaction.cl", "fma((s) * (dt), f, n)", "fma(dt, f, n)"),
     ("upper limit ignored", "kernels/common/prelude.cl", "SELECT(v > high, high, v)", "SELECT(v > high, v, v)"),
     ("contraction left on", "kernels/common/prelude.cl", "#pragma OPENCL FP_CONTRACT OFF", "#pragma OPENCL FP_CONTRACT ON"),
-    ("harmonic mean without its 2", "kernels/lattice/exchange.cl", "(R(2) * (own * theirs)) / (own + theirs)",
+    ("harmonic mean without its 2", "kernels/common/exchange.cl", "(R(2) * (own * theirs)) / (own + theirs)",
      "(own * theirs) / (own + theirs)"),
     ("gradient along the wrong axis", "kernels/lattice/exchange.cl", "gy##i + (difference * dy) / norm",
      "gy##i + (difference * dx) / norm"),
@@ -92,8 +92,8 @@ FAULTS = [
     ("stale lists not noticed", "kernels/cells/step.cl", "> R(longest_way)", "> R(100 * longest_way)"),
     ("child looks the wrong way", "kernels/cells/divide.cl", "x * sine + y * cosine", "x * sine - y * cosine"),
     ("marks of division not cleared", "kernels/cells/divide.cl", "        divides[id] = 0;\n", ""),
-    ("polarity of a cell lost while sorting", "kernels/cells/gather.cl", "PELAGE_GATHER(polarity, 2)",
-     "PELAGE_GATHER(polarity, 1)"),
+    ("polarity of a cell lost while sorting", "kernels/cells/lists.cl", "PELAGE_MOVE(polarity, 2)",
+     "PELAGE_MOVE(polarity, 1)"),
     ("mirror pairs take the difference", "kernels/cells/mirror.cl", "(conc[base + a] + conc[base + b]) / 2",
      "(conc[base + a] - conc[base + b]) / 2"),
     ("infinity taken for a number", "kernels/common/prelude.cl", "(as_uint(v) & 0x7f800000u) != 0x7f800000u",
@@ -126,4 +126,7 @@ FAULTS = [
      "for (int other = 0; other < others; ++other) sum = fma(weight[other]",
      "for (int other = 0; other < min(others, 2); ++other) sum = fma(weight[other]"),
     ("limits forgotten in a stretched lattice", "kernels/lattice/resample.cl", "sum > highest ? highest : sum", "sum"),
+    # Neighbours as compressed rows
+    ("beyond an absorbing edge nothing flows", "kernels/neighbours/gather.cl", "there == NOBODY ? rate :",
+     "there == NOBODY ? (scalar)0 :"),
 ]

@@ -297,7 +297,7 @@ Source library(const LatticePlan& plan, const RuleUse& use, const FusedEmitter& 
     Source source;
     source.text(lattice_settings(plan, width) + emitter.settings()).text(shape);
     source.file("common/prelude.cl").file("rules/philox.cl").file("lattice/rows.cl").file("lattice/stencil.cl");
-    source.file("lattice/mirrors.cl").file("lattice/exchange.cl").file("lattice/margins.cl");
+    source.file("lattice/mirrors.cl").file("common/exchange.cl").file("lattice/exchange.cl").file("lattice/margins.cl");
     for (const std::string& model : model_files(use)) source.file(model);
     return source;
 }

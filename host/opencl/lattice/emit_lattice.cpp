@@ -241,7 +241,7 @@ std::string lattice_source(const Experiment& experiment, const LatticePlan& plan
         .file("rules/philox.cl")
         .file("lattice/rows.cl")
         .file("lattice/stencil.cl");
-    source.file("lattice/exchange.cl");
+    source.file("common/exchange.cl").file("lattice/exchange.cl");
     if (together) source.text("#define PELAGE_TOGETHER").file("lattice/together.cl");
     for (const std::string& model : model_files(rules.use)) source.file(model);
     return source.file("lattice/step.cl", emitter.fills(rules)).str();

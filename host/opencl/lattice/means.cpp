@@ -45,7 +45,7 @@ std::string means_source(const Experiment& experiment, const LatticePlan& plan, 
     }
     Source source;
     source.text(lattice_settings(plan, width));
-    source.file("common/prelude.cl").file("lattice/rows.cl").file("lattice/exchange.cl");
+    source.file("common/prelude.cl").file("lattice/rows.cl").file("common/exchange.cl").file("lattice/exchange.cl");
     return source.file("lattice/means.cl", {{"planes", planes}, {"means", means}}).str();
 }
 

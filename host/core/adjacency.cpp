@@ -1,0 +1,70 @@
+// See adjacency.hpp.
+#include "core/adjacency.hpp"
+
+#include <optional>
+
+namespace pelage {
+
+namespace {
+
+// The place `offset` further along a line of `count` places; empty beyond an edge.
+std::optional<std::size_t> step(std::size_t place, int offset, std::size_t count, Boundary boundary) {
+    if (offset == 0) return place;
+    const bool leaves = offset < 0 ? place == 0 : place + 1 == count;
+    if (!leaves) return offset < 0 ? place - 1 : place + 1;
+    if (boundary != Boundary::wrap) return std::nullopt;
+    return offset < 0 ? count - 1 : 0;
+}
+
+double share(Stencil stencil, bool diagonal) {
+    switch (stencil) {
+        case Stencil::nine_point:
+            return diagonal ? 1.0 / 6 : 4.0 / 6;
+        case Stencil::sims:
+            return diagonal ? 0.05 : 0.2;
+        default:
+            return 1.0;
+    }
+}
+
+// The entry for the neighbour of (column, row) in that direction, if there is one.
+void add(LatticeAdjacency& made, const Lattice& lattice, std::size_t column, std::size_t row, Direction to) {
+    const bool diagonal = to.up != 0 && to.right != 0;
+    if ((to.up == 0 && to.right == 0) || (lattice.stencil == Stencil::five_point && diagonal)) return;
+    const auto there = step(row, to.up, lattice.rows, lattice.boundary);
+    const auto across = step(column, to.right, lattice.columns, lattice.boundary);
+    const bool outside = !there || !across;
+    if (outside && lattice.boundary != Boundary::absorbing) return;
+    made.indices.push_back(outside ? Adjacency::nobody
+                                   : static_cast<std::uint32_t>(*there * lattice.columns + *across));
+    made.weights.push_back(share(lattice.stencil, diagonal));
+    made.directions.push_back(to);
+}
+
+}  // namespace
+
+std::vector<int> row_order(const Lattice& lattice, std::size_t row) {
+    if (lattice.arithmetic == Arithmetic::published && lattice.boundary != Boundary::wrap) {
+        if (row == 0) return {1, 0};
+        if (row + 1 == lattice.rows) return {0, -1};
+    }
+    return {-1, 0, 1};
+}
+
+LatticeAdjacency lattice_adjacency(const Lattice& lattice) {
+    LatticeAdjacency made;
+    for (std::size_t row = 0; row < lattice.rows; ++row) {
+        const std::vector<int> order = row_order(lattice, row);
+        for (std::size_t column = 0; column < lattice.columns; ++column) {
+            for (const int up : order) {
+                for (const int right : {-1, 0, 1}) {
+                    add(made, lattice, column, row, {static_cast<std::int8_t>(right), static_cast<std::int8_t>(up)});
+                }
+            }
+            made.offsets.push_back(made.indices.size());
+        }
+    }
+    return made;
+}
+
+}  // namespace pelage

@@ -1,0 +1,42 @@
+// Who is whose neighbour, with which weight: one form for every space, compressed rows.
+#pragma once
+
+#include "core/space.hpp"
+
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+namespace pelage {
+
+// The neighbours of cell i are the entries offsets[i] .. offsets[i + 1] - 1, in the order in which they are taken.
+struct Adjacency {
+    static constexpr std::uint32_t nobody =
+        0xffffffff;  // beyond an absorbing edge: amounts of 0, at the cell's own rate
+
+    std::vector<std::size_t> offsets{0};
+    std::vector<std::uint32_t> indices;  // of the neighbour, or nobody
+    std::vector<double> weights;         // the neighbour's share of an exchange
+
+    std::size_t cells() const { return offsets.size() - 1; }
+    std::size_t count(std::size_t cell) const { return offsets[cell + 1] - offsets[cell]; }
+};
+
+// From a cell of a lattice to its neighbour: -1, 0 or 1 each.
+struct Direction {
+    std::int8_t right = 0;
+    std::int8_t up = 0;
+};
+
+struct LatticeAdjacency : Adjacency {
+    std::vector<Direction> directions;  // one an entry
+};
+
+// The eight neighbours of each cell, or four under five_point; beyond an edge that lets nothing through there is none.
+LatticeAdjacency lattice_adjacency(const Lattice&);
+
+// The order in which a row takes the rows around it, as offsets of -1, 0, 1: from below upwards; but the published
+// program takes its own row last in the bottom row and first in the top row of a grid that is not closed to a torus.
+std::vector<int> row_order(const Lattice&, std::size_t row);
+
+}  // namespace pelage
