@@ -39,7 +39,7 @@ CLI::Validator formats() {
     return {look, ""};
 }
 
-void add_machine_options(CLI::App& command, RunOptions& options) {
+void add_backend_options(CLI::App& command, RunOptions& options) {
     command
         .add_option("--backend", options.backend,
                     "What computes: reference (plain C++, slow) or opencl. "
@@ -61,6 +61,9 @@ void add_machine_options(CLI::App& command, RunOptions& options) {
             "Numbers of 32 bits (float) or 64 bits (double). Default: float")
         ->type_name("float|double")
         ->check(one_of({"float", "double"}));
+}
+
+void add_search_options(CLI::App& command, RunOptions& options) {
     command
         .add_option("--neighbours", options.neighbours,
                     "Search of free cells: bins or kd-tree (both exact), or spatial-sorting (the published program's, "
@@ -72,6 +75,9 @@ void add_machine_options(CLI::App& command, RunOptions& options) {
                     "Places around a cell that spatial-sorting looks at: 8, 24, 48, 80 or 120. Default: 48")
         ->type_name("8|24|48|80|120")
         ->check(one_of({"8", "24", "48", "80", "120"}));
+}
+
+void add_kernel_options(CLI::App& command, RunOptions& options) {
     command.add_flag("--fast", options.fast,
                      "Let the OpenCL compiler reorder arithmetic: faster, but no longer the reference's bits");
     command.add_flag("--no-self-test", options.no_self_test,
@@ -158,7 +164,9 @@ void add_run(CLI::App& app, int& exit_code) {
     const auto options = std::make_shared<RunOptions>();
     CLI::App* command = app.add_subcommand("run", "Run an experiment and write pictures, data and a manifest");
     command->add_option("FILE", options->file, "Experiment (.pex); - reads standard input")->required()->type_name("");
-    add_machine_options(*command, *options);
+    add_backend_options(*command, *options);
+    add_search_options(*command, *options);
+    add_kernel_options(*command, *options);
     add_course_options(*command, *options);
     add_result_options(*command, *options);
     command->callback([options, command, &app, &exit_code] {

@@ -2,7 +2,6 @@
 #include "bench/report.hpp"
 
 #include <fmt/format.h>
-#include <nlohmann/json.hpp>
 
 #include <algorithm>
 
@@ -109,73 +108,6 @@ std::string tables(const Report& report) {
     const std::string notes = note_lines(report);
     if (!notes.empty()) text.append("\n").append(notes);
     return text;
-}
-
-nlohmann::ordered_json json_of(const Report& report, const Options& options, bool complete) {
-    using Json = nlohmann::ordered_json;
-    Json devices = Json::array(), results = Json::array(), quotients = Json::array(), notes = Json::array();
-    for (const Yardstick& one : report.yardsticks) {
-        devices.push_back({{"device", one.device},
-                           {"driver", one.driver},
-                           {"platform", one.platform},
-                           {"threads", one.threads},
-                           {"copy_bandwidth", one.copy_bandwidth},
-                           {"copy_bytes", one.copy_bytes},
-                           {"peak", one.peak}});
-    }
-    for (const Result& one : report.results) {
-        results.push_back({{"suite", one.suite},
-                           {"case", one.name},
-                           {"size", one.size},
-                           {"backend", one.backend},
-                           {"device", one.device},
-                           {"cells", one.cells},
-                           {"iterations", one.iterations},
-                           {"seconds", one.seconds},
-                           {"best", one.best},
-                           {"spread", one.spread},
-                           {"updates_per_second", one.updates_per_second},
-                           {"bytes_per_second", one.bytes_per_second},
-                           {"copy_bandwidth", one.copy_bandwidth},
-                           {"bandwidth_share", one.bandwidth_share},
-                           {"arithmetic_share", one.arithmetic_share},
-                           {"bytes_per_update", one.bytes_per_update},
-                           {"flops_per_update", one.flops_per_update},
-                           {"bytes_per_cell", one.bytes_per_cell > 0 ? Json(one.bytes_per_cell) : Json()},
-                           {"largest_difference", one.largest_difference}});
-    }
-    for (const Ratio& one : ratios(report)) {
-        quotients.push_back({{"suite", one.suite},
-                             {"case", one.name},
-                             {"size", one.size},
-                             {"backend", one.backend},
-                             {"against", one.against},
-                             {"device", one.device},
-                             {"ratio", one.ratio}});
-    }
-    for (const Note& one : report.notes) {
-        notes.push_back({{"suite", one.suite},
-                         {"case", one.name},
-                         {"size", one.size},
-                         {"backend", one.backend},
-                         {"device", one.device},
-                         {"wrong", one.wrong},
-                         {"text", one.text}});
-    }
-    const Yardstick& device = report.yardsticks.size() > 1 ? report.yardsticks[1] : report.yardsticks[0];
-    return {{"version", PELAGE_VERSION},
-            {"device", device.device},
-            {"driver", device.driver},
-            {"copy_bandwidth", device.copy_bandwidth},
-            {"peak", device.peak},
-            {"runs", options.runs},
-            {"quick", options.quick},
-            {"load", report.load},
-            {"complete", complete},
-            {"devices", devices},
-            {"results", results},
-            {"ratios", quotients},
-            {"notes", notes}};
 }
 
 }  // namespace pelage::bench

@@ -107,10 +107,19 @@ const char* word(Verdict verdict) {
     return "?";
 }
 
+void conclude(Outcome& outcome) {
+    if (!outcome.tally.equal()) outcome.verdict = Verdict::failed;
+}
+
+std::vector<std::size_t> telling_counts(const Place& place) {
+    if (place.small()) return {1, 17, 65};
+    return {1, 2, 7, 15, 16, 17, 63, 64, 65, 257, 1021, 5003};
+}
+
 std::vector<Check> all_checks(std::uint64_t seed) {
     std::vector<Check> checks = primitive_checks(seed);
-    for (auto part : {gather_checks(seed), lattice_checks(), law_checks(seed), cell_checks(), checkpoint_checks(),
-                      random_checks(seed)}) {
+    for (auto part : {neighbour_checks(seed), gather_checks(seed), lattice_checks(), law_checks(seed), cell_checks(),
+                      checkpoint_checks(), random_checks(seed)}) {
         checks.insert(checks.end(), std::make_move_iterator(part.begin()), std::make_move_iterator(part.end()));
     }
     return checks;

@@ -80,6 +80,12 @@ struct Outcome {
     std::optional<Evidence> evidence;
 };
 
+// Failed where something differs.
+void conclude(Outcome&);
+
+// Numbers of elements around those at which kernels cut their work.
+std::vector<std::size_t> telling_counts(const Place&);
+
 struct Check {
     std::string name;    // "diffusion/nine-point/wrap": unique
     std::string kernel;  // the row of the table of verdicts it counts for
@@ -95,6 +101,7 @@ std::vector<Check> lattice_checks();
 std::vector<Check> law_checks(std::uint64_t seed);
 std::vector<Check> cell_checks();
 std::vector<Check> primitive_checks(std::uint64_t seed);
+std::vector<Check> neighbour_checks(std::uint64_t seed);
 std::vector<Check> gather_checks(std::uint64_t seed);
 std::vector<Check> random_checks(std::uint64_t seed);
 std::vector<Check> checkpoint_checks();

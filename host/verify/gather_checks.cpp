@@ -73,7 +73,7 @@ Outcome on_lattice(Place& place, Lab lab, double deviation) {
     add(outcome.tally, special, gathered, "gathered by the device");
     add(outcome.tally, after(place.backend({})), gathered, "the device's lattice and what it gathers");
     if (special == amounts.old) outcome.tally.first = "nothing was exchanged";
-    if (!outcome.tally.equal()) outcome.verdict = Verdict::failed;
+    conclude(outcome);
     return outcome;
 }
 
@@ -108,7 +108,7 @@ Outcome without_order(Place& place, std::uint64_t seed) {
                 on_device(place.session(), adjacency, arithmetic, amounts), fmt::format("{} cells", cells));
         }
     }
-    if (!outcome.tally.equal()) outcome.verdict = Verdict::failed;
+    conclude(outcome);
     return outcome;
 }
 

@@ -71,10 +71,6 @@ Snapshot turned(Snapshot state, Turn turn) {
     return state;
 }
 
-void conclude(Outcome& outcome) {
-    if (!outcome.tally.equal()) outcome.verdict = Verdict::failed;
-}
-
 // What goes in turned comes out turned, to the bit.
 Outcome symmetric(Place& place, const std::string& name, const std::vector<Turn>& turns, std::uint64_t seed) {
     Outcome outcome;

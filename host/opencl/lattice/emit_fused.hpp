@@ -23,14 +23,6 @@ struct FusedShape {
     bool together = false;    // strips' work-groups may share the passes of a launch, see lattice/together.cl
 };
 
-// Values of a cell that pass through the levels: concentrations, and rates, polarity and mappings that differ from
-// cell to cell. `seen`: those whose neighbours are looked at one by one.
-struct FusedFields {
-    std::size_t all = 0;
-    std::size_t seen = 0;
-};
-FusedFields fused_fields(const Experiment&, const LatticePlan&, const RuleUse&);
-
 std::string stream_source(const Experiment&, const LatticePlan&, const RuleText&, const std::vector<bool>& bounded,
                           Precision, std::size_t width, const FusedShape&);
 std::string tile_source(const Experiment&, const LatticePlan&, const RuleText&, const std::vector<bool>& bounded,

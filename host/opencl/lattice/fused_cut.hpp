@@ -4,6 +4,7 @@
 #include "opencl/device/device.hpp"
 #include "opencl/device/options.hpp"
 #include "opencl/lattice/emit_fused.hpp"
+#include "opencl/lattice/passing.hpp"
 #include "opencl/lattice/planes.hpp"
 
 #include <cstddef>
