@@ -120,7 +120,10 @@ private:
     void hear(Seat& seat) {
         const std::optional<std::string> answer = seat.worker->take();
         if (answer) {
-            put(*seat.check, verify::result_from_json(nlohmann::ordered_json::parse(*answer)));
+            Result result = verify::result_from_json(nlohmann::ordered_json::parse(*answer));
+            const bool broken_off = result.broken_off;
+            put(*seat.check, std::move(result));
+            if (broken_off) seat.worker.reset();  // a driver may be in disarray: the next check begins afresh
             next(seat);
         } else if (seat.worker->ended()) {
             give_up(seat, "");

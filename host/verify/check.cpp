@@ -132,6 +132,7 @@ Outcome carry_out(const Check& check, Place& place) {
         Outcome outcome;
         outcome.verdict = Verdict::failed;
         outcome.message = error.what();
+        outcome.broken_off = true;
         return outcome;
     }
 }

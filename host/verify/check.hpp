@@ -78,6 +78,7 @@ struct Outcome {
     Tally tally;
     std::string message;  // why it is not passed, or with what bound it is; may be empty
     std::optional<Evidence> evidence;
+    bool broken_off = false;  // by an error: what else this process asks of the device may fail, too
 };
 
 // Failed where something differs.

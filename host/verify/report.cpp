@@ -99,6 +99,7 @@ Result judge(const Check& check, Place& place, const std::filesystem::path& evid
     result.kernel = check.kernel;
     result.verdict = outcome.verdict;
     result.message = outcome.message;
+    result.broken_off = outcome.broken_off;
     result.first = outcome.tally.first;
     result.cells_compared = outcome.tally.cells_compared;
     result.cells_differing = outcome.tally.cells_differing;

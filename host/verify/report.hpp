@@ -19,7 +19,8 @@ struct Result {
     std::string kernel;
     Verdict verdict = Verdict::passed;
     std::string message;
-    std::string first;  // the first cell that differs, with both values
+    bool broken_off = false;  // see Outcome
+    std::string first;        // the first cell that differs, with both values
     std::uint64_t cells_compared = 0;
     std::uint64_t cells_differing = 0;
     std::uint64_t max_ulp = 0;

@@ -72,6 +72,7 @@ Json to_json(const Result& result) {
             {"kernel", result.kernel},
             {"verdict", word(result.verdict)},
             {"message", result.message},
+            {"broken_off", result.broken_off},
             {"first_difference", result.first},
             {"cells_compared", result.cells_compared},
             {"cells_differing", result.cells_differing},
@@ -89,6 +90,7 @@ Result result_from_json(const Json& json) {
     result.kernel = json.at("kernel");
     result.verdict = verdict_of(json.at("verdict"));
     result.message = json.at("message");
+    result.broken_off = json.at("broken_off");
     result.first = json.at("first_difference");
     result.cells_compared = json.at("cells_compared");
     result.cells_differing = json.at("cells_differing");

@@ -135,6 +135,26 @@ TEST_CASE("kernel files are found, and every place in them must be filled") {
 }
 
 // The number makes it a program that no cache has. A process that ended while PoCL compiles it would be aborted.
+TEST_CASE("all sessions of a device share its context, and the last one takes it along") {
+    OpenclOptions in_double;
+    in_double.precision = Precision::double_;
+    cl_context known = nullptr;
+    cl_uint users = 0;
+    {
+        const Session first = session();
+        known = first.context()();
+        const Session second(select_device(), in_double);
+        CHECK(second.context()() == known);
+        CHECK(clGetContextInfo(known, CL_CONTEXT_REFERENCE_COUNT, sizeof users, &users, nullptr) == CL_SUCCESS);
+        CHECK(clRetainContext(known) == CL_SUCCESS);
+    }
+    cl_uint left = 0;
+    CHECK(clGetContextInfo(known, CL_CONTEXT_REFERENCE_COUNT, sizeof left, &left, nullptr) == CL_SUCCESS);
+    CHECK(left == 1);
+    CHECK(users > left);
+    CHECK(clReleaseContext(known) == CL_SUCCESS);
+}
+
 TEST_CASE("a session that goes waits for what it has launched") {
     cl::Event launched;
     {

@@ -3,6 +3,7 @@
 
 #include "core/subnormal.hpp"
 #include "opencl/device/cl_error.hpp"
+#include "opencl/device/context.hpp"
 #include "opencl/device/pocl_programs.hpp"
 #include "opencl/device/program.hpp"
 
@@ -16,9 +17,9 @@ Session::Session(DeviceInfo info, OpenclOptions options) : info_(std::move(info)
     with_device(info_.name, [&] {
         const SubnormalsAreZero scope(!is_double());  // see list_devices()
         device_ = cl::Device(static_cast<cl_device_id>(info_.id), true);
-        context_ = cl::Context(device_);
-        queue_ = cl::CommandQueue(context_, device_);
-        if (options_.guarded && !info_.watches_memory()) guards_ = std::make_unique<Guards>(context_, queue_, device_);
+        context_ = shared_context(device_);
+        queue_ = cl::CommandQueue(*context_, device_);
+        if (options_.guarded && !info_.watches_memory()) guards_ = std::make_unique<Guards>(*context_, queue_, device_);
     });
 }
 
@@ -57,7 +58,7 @@ cl::Buffer Session::buffer(std::size_t bytes, const std::string& what, cl_mem_fl
                                 info_.name, info_.max_allocation));
     }
     try {
-        return guards_ ? guards_->allocate(size, what, flags) : cl::Buffer(context_, flags, size);
+        return guards_ ? guards_->allocate(size, what, flags) : cl::Buffer(*context_, flags, size);
     } catch (const cl::Error& error) {
         throw Error(
             fmt::format("no buffer of {} bytes for the {}: {}", size, what, cl_failure(error, info_.name).what()));

@@ -24,7 +24,7 @@ public:
     const DeviceInfo& info() const { return info_; }
     const OpenclOptions& options() const { return options_; }
     const cl::Device& device() const { return device_; }
-    const cl::Context& context() const { return context_; }
+    const cl::Context& context() const { return *context_; }
     const cl::CommandQueue& queue() const { return queue_; }  // in order
 
     bool is_double() const { return options_.precision == Precision::double_; }
@@ -52,7 +52,7 @@ private:
     DeviceInfo info_;
     OpenclOptions options_;
     cl::Device device_;
-    cl::Context context_;
+    std::shared_ptr<const cl::Context> context_;  // of all sessions on this device
     cl::CommandQueue queue_;
     std::unique_ptr<Guards> guards_;  // none: not guarded
     mutable std::mutex building_;
