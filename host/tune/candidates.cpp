@@ -47,25 +47,25 @@ Candidates for_processors(std::size_t width, Effort effort) {
 
 Candidates for_others(Effort effort) {
     Candidates list{{},
-                    tiled(4, 32, 32, 256),
-                    tiled(6, 32, 32, 256),
-                    tiled(4, 64, 16, 256),
+                    tiled(6, 20, 20, 128),
+                    tiled(6, 52, 32, 192),
+                    tiled(4, 32, 32, 128),
                     {Path::step, 1, {0, 0, 0, 256}},
-                    tiled(2, 64, 16, 128),
-                    tiled(8, 32, 32, 256),
-                    tiled(4, 32, 16, 64),
+                    tiled(2, 52, 32, 256),
+                    tiled(8, 20, 16, 128),
+                    tiled(4, 52, 32, 256),
                     {Path::step, 2, {0, 0, 0, 128}},
                     {Path::streamed, 0, {8, 0, 0, 64}},
-                    tiled(6, 64, 16, 256),
+                    tiled(6, 52, 20, 256),
                     {Path::step, 4, {0, 0, 0, 64}}};
     if (effort == Effort::quick) return list;
     for (const std::size_t width : {1u, 2u, 4u}) {
         for (const std::size_t group : {32u, 64u, 128u, 256u}) add(list, {Path::step, width, {0, 0, 0, group}});
     }
     for (const std::size_t depth : {2u, 4u, 6u, 8u}) {
-        for (const std::size_t columns : {16u, 32u, 64u}) {
-            for (const std::size_t rows : {8u, 16u, 32u}) {
-                for (const std::size_t group : {64u, 128u, 256u}) add(list, tiled(depth, columns, rows, group));
+        for (const std::size_t columns : {20u, 32u, 52u}) {
+            for (const std::size_t rows : {16u, 20u, 32u}) {
+                for (const std::size_t group : {128u, 192u, 256u}) add(list, tiled(depth, columns, rows, group));
             }
         }
     }

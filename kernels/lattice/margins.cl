@@ -57,10 +57,12 @@ static inline void pelage_put(real v, global scalar* row, int x, int from, int t
         STORE(v, row + x);
         return;
     }
+#if PELAGE_WIDTH > 1
     scalar lanes[PELAGE_WIDTH];
     STORE(v, lanes);
     #pragma unroll 1
     for (int k = max(from - x, 0); k < min(to - x, PELAGE_WIDTH); ++k) row[x + k] = lanes[k];
+#endif
 }
 
 #define WHOLE_NEIGHBOURS TO_UINT(pelage_fetch_whole(neighbours + (long)row * pitch, x, columns))

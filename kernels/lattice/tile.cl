@@ -2,15 +2,16 @@
 // A work-group takes a tile and a margin of `steps` cells around it into scratch, and takes `steps` levels there, each
 // from one half of the scratch to the other. With each level the outermost cells of the margin lose their worth; cells
 // beyond the edge are the ones that the boundary puts there (a mirrored or wrapped cell evolves exactly like its
-// original, random draws included). A work-item goes up a stretch of rows, so that sums of rows are used twice more.
+// original, random draws included). A work-item goes up a stretch of rows, so that sums of rows are used twice more;
+// stretches are as low as the work-items are many.
 // Lines that begin with //@ are filled in for each experiment, see host/opencl/lattice/emit_fused.hpp.
 //   PELAGE_TALL      most rows of a tile, margins included
 //   PELAGE_VECTORS   most vectors across, margins included
 
-#define STRETCH 8
 #define SLOT (PELAGE_VECTORS * PELAGE_WIDTH)
-#define SCRATCH_SIZE (2 * PELAGE_TALL * PELAGE_FIELDS * SLOT + 32)
-#define SCRATCH(parity, r, field) (scratch + 16 + (((parity) * PELAGE_TALL + (r)) * PELAGE_FIELDS + (field)) * SLOT)
+#define ROW_OF_TILE (PELAGE_FIELDS * SLOT)
+#define SCRATCH_SIZE (2 * PELAGE_TALL * ROW_OF_TILE + 32)
+#define SCRATCH(parity, r, field) (scratch + 16 + ((parity) * PELAGE_TALL + (r)) * ROW_OF_TILE + (field) * SLOT)
 
 // What a stretch begins with: the sums of the rows below and here and the cells here.
 #define OF_ROW(r, at) (SCRATCH(level & 1, r, at) + c * PELAGE_WIDTH)
@@ -21,6 +22,9 @@
     real below##i = OUTER(SUM_OF_ROW(bottom - 1, at, c##i), c##i); \
     c##i = LOAD(OF_ROW(bottom, at));                          \
     real own##i = SUM_OF_ROW(bottom, at, c##i);
+
+// From the vector (r, c) of a tile to the one that lies a group's size further on.
+#define GO_ON(r, c) c += along, r += down, r += c >= vectors, c -= c >= vectors ? vectors : 0
 
 #define MIDDLE r
 #define AT_ROW (base + r)
@@ -47,16 +51,18 @@ kernel __attribute__((reqd_work_group_size(PELAGE_GROUP, 1, 1))) void pelage_lat
     const int high = min(low + strip, rows);
     const int base = low - steps;
     const int tall = high - low + 2 * steps;
+    const int down = PELAGE_GROUP / vectors;
+    const int along = PELAGE_GROUP - down * vectors;
+    const int all_rows_there = base >= 0 && base + tall <= rows;
 #if PELAGE_WIDTH > 1
     // Vectors reach past their rows; nothing of what is cleared here reaches the lattice, it only must be a number.
     for (int i = lane; i < SCRATCH_SIZE; i += PELAGE_GROUP) scratch[i] = 0;
     barrier(CLK_LOCAL_MEM_FENCE);
 #endif
-    for (int i = lane; i < tall * vectors; i += PELAGE_GROUP) {
-        const int r = i / vectors;
-        const int c = i - r * vectors;
+    for (int r = lane / vectors, c = lane - r * vectors; r < tall; GO_ON(r, c)) {
         const int x = x0 + c * PELAGE_WIDTH;
-        const long there = (long)pelage_stands_for(min(base + r, rows + steps - 1), rows, -1) * pitch;
+        const int row = all_rows_there ? base + r : pelage_stands_for(min(base + r, rows + steps - 1), rows, -1);
+        const long there = (long)row * pitch;
         //@ fetch
     }
     barrier(CLK_LOCAL_MEM_FENCE);
@@ -67,17 +73,20 @@ kernel __attribute__((reqd_work_group_size(PELAGE_GROUP, 1, 1))) void pelage_lat
         const int from = (level + 1) / PELAGE_WIDTH;
         const int across = (wide - level - 2) / PELAGE_WIDTH + 1 - from;
         const int up_to = tall - level - 1;
-        const int stretches = (up_to - level - 1 + STRETCH - 1) / STRETCH;
+        const int height = up_to - level - 1;
+        const int wanted = clamp(PELAGE_GROUP / across, 1, height);
+        const int stretch = (height + wanted - 1) / wanted;
+        const int stretches = (height + stretch - 1) / stretch;
         for (int i = lane; i < across * stretches; i += PELAGE_GROUP) {
-            const int stretch = i / across;
-            const int c = from + i - stretch * across;
+            const int nth = i / across;
+            const int c = from + i - nth * across;
             const int x = x0 + c * PELAGE_WIDTH;
-            const int bottom = level + 1 + stretch * STRETCH;
-            const int top = min(bottom + STRETCH, up_to);
+            const int bottom = level + 1 + nth * stretch;
+            const int top = min(bottom + stretch, up_to);
             //@ resume
-            for (int r = bottom; r < top; ++r) {
-                local const scalar* const above = SCRATCH(level & 1, r + 1, 0) + c * PELAGE_WIDTH;
-                local scalar* const result = SCRATCH(~level & 1, r, 0) + c * PELAGE_WIDTH;
+            local const scalar* above = SCRATCH(level & 1, bottom + 1, 0) + c * PELAGE_WIDTH;
+            local scalar* result = SCRATCH(~level & 1, bottom, 0) + c * PELAGE_WIDTH;
+            for (int r = bottom; r < top; ++r, above += ROW_OF_TILE, result += ROW_OF_TILE) {
                 //@ row
                 //@ cell
                 //@ rules
@@ -89,9 +98,7 @@ kernel __attribute__((reqd_work_group_size(PELAGE_GROUP, 1, 1))) void pelage_lat
         }
         barrier(CLK_LOCAL_MEM_FENCE);
     }
-    for (int i = lane; i < (high - low) * vectors; i += PELAGE_GROUP) {
-        const int r = steps + i / vectors;
-        const int c = i - (r - steps) * vectors;
+    for (int r = steps + lane / vectors, c = lane % vectors; r < steps + high - low; GO_ON(r, c)) {
         const int x = x0 + c * PELAGE_WIDTH;
         const long there = (long)(base + r) * pitch;
         const int from = x0 + steps;

@@ -94,6 +94,22 @@ TEST_CASE("choice: each kind of device has its path") {
     }
 }
 
+TEST_CASE(
+    "choice: tiles are small where there would be too few large ones, and shallow where arithmetic sets the pace") {
+    const auto cut = [](double side, const RuleNeeds& needs) {
+        return choose(graphics(48 * 1024), needs, work(side, 1e12), {}).cut;
+    };
+    const FusedShape small = cut(390, two_fields());
+    CHECK(small.vectors == 20 + 2 * 6);
+    CHECK(small.rows == 20);
+    CHECK(small.group == 128);
+    const FusedShape large = cut(4096, two_fields());
+    CHECK(large.vectors == 52 + 2 * 6);
+    CHECK(large.rows == 32);
+    CHECK(large.group == 256);
+    CHECK(cut(4096, needs(&RuleNeeds::draws)).depth == 4);
+}
+
 TEST_CASE("choice: a processor streams only what pays, and says why not") {
     const auto why = [](const Work& work, const RuleNeeds& needs = two_fields()) {
         const Choice choice = choose(processor(2), needs, work, {});
@@ -133,7 +149,7 @@ TEST_CASE("choice: what is asked for is done where it can be") {
 
 TEST_CASE("choice: a cut fits the device's local memory") {
     const FusedShape roomy = choose(graphics(48 * 1024), two_fields(), {}, {}).cut;
-    CHECK(roomy.depth == 4);
+    CHECK(roomy.depth == 6);
     CHECK(roomy.group == 128);
     const auto bytes = [](const FusedShape& shape, std::size_t fields) {
         return 4 * (2 * (shape.rows + 2 * shape.depth) * fields * shape.vectors + 32);

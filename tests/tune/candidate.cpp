@@ -102,9 +102,9 @@ TEST_CASE("each kind of device gets its own kernels") {
 
 TEST_CASE("widths follow the lanes of the precision, groups the device's limit") {
     const auto doubles = candidates(processor(), Precision::double_, Effort::exhaustive);
-    const auto narrow = candidates(graphics(64), Precision::single_, Effort::exhaustive);
+    const auto narrow = candidates(graphics(128), Precision::single_, Effort::exhaustive);
 
     for (const Candidate& candidate : doubles) CHECK(candidate.width <= 8);
-    for (const Candidate& candidate : narrow) CHECK(candidate.cut.group <= 64);
+    for (const Candidate& candidate : narrow) CHECK(candidate.cut.group <= 128);
     CHECK(count_kernel(narrow, Path::tiled) == 36);
 }

@@ -152,14 +152,15 @@ FusedLaunch stream_launch(const DeviceInfo& device, const Grid& grid, const Fuse
     return launch;
 }
 
-Cut tile_cut(const DeviceInfo& device, const OpenclOptions& options, const FusedFields& fields, std::size_t width) {
+Cut tile_cut(const DeviceInfo& device, const OpenclOptions& options, const FusedFields& fields, std::size_t width,
+             const LatticeCut& usual) {
     const LatticeCut& wish = options.cut;
     const std::size_t scalar = scalar_bytes(options);
     FusedShape shape;
-    shape.depth = wished(wish.depth, 4);
-    shape.rows = wished(wish.rows, 32);
-    shape.group = group_size(device, options, 128);
-    std::size_t columns = wished(wish.columns, 32);
+    shape.depth = wished(wish.depth, usual.depth);
+    shape.rows = wished(wish.rows, usual.rows);
+    shape.group = group_size(device, options, usual.group);
+    std::size_t columns = wished(wish.columns, usual.columns);
     const auto vectors = [&] { return divided(columns + 2 * shape.depth, width); };
     const auto bytes = [&] {  // as lattice/tile.cl counts them
         return scalar * (2 * (shape.rows + 2 * shape.depth) * fields.all * vectors() * width + 32);

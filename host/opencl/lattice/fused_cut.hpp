@@ -28,9 +28,10 @@ struct Cut {
     std::size_t bytes = 0;  // of local memory; more than the device has where not even the smallest shape fits
 };
 
-// As the options ask (LatticeCut), cut down to what the device's local memory holds.
+// As the options ask (LatticeCut), or as is `usual` where they do not, cut down to what the device's local memory
+// holds.
 Cut stream_cut(const DeviceInfo&, const OpenclOptions&, const FusedFields&, std::size_t width);
-Cut tile_cut(const DeviceInfo&, const OpenclOptions&, const FusedFields&, std::size_t width);
+Cut tile_cut(const DeviceInfo&, const OpenclOptions&, const FusedFields&, std::size_t width, const LatticeCut& usual);
 
 // The next launch of `count` iterations to come.
 FusedLaunch stream_launch(const DeviceInfo&, const Grid&, const FusedShape&, std::size_t width, std::uint64_t count);
