@@ -32,7 +32,10 @@ std::vector<NeighbourTuning> tunings(Place& place, bool both) {
     const NeighbourTuning own = NeighbourTuning::of(place.session());
     if (!both) return {own};
     if (own.width == 1) return {own, {1, 3, 100, 0, std::min<std::size_t>(16, most)}};
-    return {own, {1, 100, 7, 4, std::min<std::size_t>(8, most)}};
+    const NeighbourTuning passes{1, 100, 7, 4, std::min<std::size_t>(8, most)};
+    NeighbourTuning tickets = passes;
+    tickets.tickets = true;
+    return {own, passes, tickets};
 }
 
 void check_points(Outcome& outcome, Place& place, const Points& points, const std::string& what, bool both,
@@ -41,7 +44,8 @@ void check_points(Outcome& outcome, Place& place, const Points& points, const st
     for (const NeighbourTuning& tuning : tunings(place, both)) {
         const Neighbours found = opencl_neighbours(place.session(), points.x, points.y, radius, tuning);
         add(outcome.tally, flat(expected), flat(found),
-            fmt::format("lists of {} points, {}, {} chunks", points.size(), what, tuning.chunks));
+            fmt::format("lists of {} points, {}, {} chunks{}", points.size(), what, tuning.chunks,
+                        tuning.tickets ? " or tickets" : ""));
     }
 }
 

@@ -7,6 +7,7 @@
 
 #include <catch2/catch.hpp>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 
@@ -174,6 +175,21 @@ TEST_CASE("the shape of the work changes no neighbour set") {
     tuning.width = 16;
     tuning.chunks = 3;
     CHECK(opencl_neighbours(test::session(), points.x, points.y, 3, tuning) == expected);
+}
+
+TEST_CASE("tickets of bins give the same sets, and so does the sort that steps in where a bin is crowded") {
+    NeighbourTuning tuning = many_chunks();
+    tuning.tickets = true;
+    const std::size_t count = GENERATE(1u, 2u, 64u, 257u, 9000u);
+    const double side = GENERATE(0.01, 5.0, 300.0);
+    CAPTURE(count, side);
+    if (count * count > 1'000'000 && side < 100) return;  // nearly all pairs
+    verify::Points points = verify::uniform(count, 15);
+    const double extent = *std::ranges::max_element(points.x) + 1;
+    for (double& x : points.x) x *= side / extent;
+    for (double& y : points.y) y *= side / extent;
+
+    CHECK(opencl_neighbours(test::session(), points.x, points.y, 3, tuning) == by_tree<float>(points, 3));
 }
 
 TEST_CASE("other radii, and double precision") {

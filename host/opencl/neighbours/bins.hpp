@@ -3,8 +3,10 @@
 
 #include "opencl/device/cl.hpp"
 #include "opencl/device/session.hpp"
+#include "opencl/neighbours/tickets.hpp"
 
 #include <cstddef>
+#include <optional>
 
 namespace pelage {
 
@@ -15,6 +17,7 @@ struct NeighbourTuning {
     std::size_t per_chunk = 1;  // points that are worth one more of them
     int bits = 0;               // of a key that one pass of the sort takes; 0: all, in one pass
     std::size_t group = 64;     // work-items in a group that find lists
+    bool tickets = false;       // points take tickets of their bins, and are sorted only where a bin is crowded
 
     static NeighbourTuning of(const Session&);
 };
@@ -46,7 +49,7 @@ public:
     void sort(const cl::Buffer& positions, int pitch, int points, double reach);
 
     // order()[place] = which of the points given to sort() goes there.
-    const cl::Buffer& order() const { return order_; }
+    const cl::Buffer& order() const { return to_.order; }
 
     // positions in that order.
     void gather(const cl::Buffer& positions, int pitch, int points, const cl::Buffer& sorted);
@@ -58,14 +61,18 @@ public:
               DeviceLists& lists);
 
 private:
+    bool sort_by_tickets(const cl::Buffer& positions, int pitch, int points, double reach);
+    void find_bins(const cl::Buffer& positions, int pitch, int points, cl_int chunks, double reach);
+    void lay_grid(cl_int boxes, double reach);
     void sort_pass(int points, cl_int chunks, bool first, int shift);
 
     const Session& session_;
     NeighbourTuning tuning_;
     cl::Kernel box_, grid_kernel_, keys_kernel_, count_, sum_, scan_, scatter_, starts_kernel_, gather_, lists_;
     std::size_t capacity_ = 0;  // points
-    int most_bins_ = 0;
-    cl::Buffer boxes_, grid_, bins_, keys_, sorted_keys_, counts_, sums_, starts_, order_, spare_order_;
+    BinBuffers to_;
+    cl::Buffer sorted_keys_, counts_, sums_, spare_order_;
+    std::optional<TicketSort> tickets_;
 };
 
 }  // namespace pelage
