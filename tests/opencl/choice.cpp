@@ -57,7 +57,7 @@ RuleNeeds needs(bool RuleNeeds::*what) {
 }
 
 // A run of so many cell-updates, half of them done.
-Work work(double side, double updates) { return {side * side, 16, updates / 2, updates / 2}; }
+Work work(double side, double updates) { return {side * side, 16, updates / 2, updates / 2, false}; }
 
 OpenclOptions asked(Path path) {
     OpenclOptions options;
@@ -120,7 +120,7 @@ TEST_CASE("choice: a processor streams only what pays, and says why not") {
     CHECK(why(work(100, 1e12)) == begins + "a lattice of so few cells would gain nothing");
     CHECK(why(work(256, 1e9)) == begins + "caches hold the lattice, streaming would gain too little");
     CHECK(why(work(1024, 1e9)) == begins + "too little work lies ahead to pay for the compilation");
-    CHECK(why({1e6, 16, 1e8, 1e10}) == begins + "the run has only begun");
+    CHECK(why({1e6, 16, 1e8, 1e10, false}) == begins + "the run has only begun");
     const Work much = work(1024, 1e12);
     CHECK(why(much, needs(&RuleNeeds::draws)) == begins + "random draws, not memory, set its pace");
     CHECK(why(much, needs(&RuleNeeds::polarizes)) ==
@@ -130,8 +130,18 @@ TEST_CASE("choice: a processor streams only what pays, and says why not") {
 }
 
 TEST_CASE("choice: past the last iteration, what has been done stands for what is to come") {
-    CHECK(path_of(processor(2), {1e6, 16, 3e9, {}}) == Path::streamed);
-    CHECK(path_of(processor(2), {1e6, 16, 1e9, {}}) == Path::shared);
+    CHECK(path_of(processor(2), {1e6, 16, 3e9, {}, false}) == Path::streamed);
+    CHECK(path_of(processor(2), {1e6, 16, 1e9, {}, false}) == Path::shared);
+}
+
+TEST_CASE("choice: what streams goes on to stream, however little lies ahead") {
+    Work end = work(1024, 1e12);
+    end.ahead = 1e6;
+    CHECK(path_of(processor(2), end) == Path::shared);
+    end.compiled = true;
+    CHECK(path_of(processor(2), end) == Path::streamed);
+    end.cells = 1000;
+    CHECK(path_of(processor(2), end) == Path::shared);
 }
 
 TEST_CASE("choice: what is asked for is done where it can be") {

@@ -39,6 +39,7 @@ std::string why_not_streamed(const DeviceInfo& device, const RuleNeeds& needs, c
     if (work.cells < least_cells) return "a lattice of so few cells would gain nothing";
     const std::string pace = pace_setter(needs);
     if (!pace.empty()) return pace + ", not memory, set its pace";
+    if (work.compiled) return "";
     const bool cached = caches_hold(device, work.bytes_a_cell * work.cells);
     if (work.ahead.value_or(work.done) < (cached ? 5e9 : 2e9)) {
         return cached ? "caches hold the lattice, streaming would gain too little"
@@ -129,7 +130,9 @@ std::optional<double> work_ahead(const Experiment& experiment, const std::vector
 Work foreseen_work(const Experiment& experiment, const std::vector<bool>& active, std::uint64_t iteration, double cells,
                    double bytes_a_cell) {
     const std::uint64_t end = std::min(experiment.last_iteration(), end_of_set(experiment, active, iteration));
-    Work work{std::max(final_cells(experiment, end), cells), bytes_a_cell, 0, {}};
+    Work work;
+    work.cells = std::max(final_cells(experiment, end), cells);
+    work.bytes_a_cell = bytes_a_cell;
     work.ahead = work_ahead(experiment, active, iteration, work.cells);
     work.done = work.ahead.value_or(0);
     return work;

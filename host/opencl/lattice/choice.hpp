@@ -33,6 +33,7 @@ struct Work {
     double bytes_a_cell = 0;      // that a step reads and writes
     double done = 0;              // cell-updates until now, with those that are asked for now
     std::optional<double> ahead;  // cell-updates from now on; none where nobody can tell: the experiment is at its end
+    bool compiled = false;        // a streamed program for these rules is there
 };
 
 // Bytes that a step reads and writes a cell, of all that rules may change at any time. `every`: what all rules use.

@@ -106,7 +106,7 @@ private:
             if (plan.rates != plan_.rates || plan.polarity != plan_.polarity) {  // all else is the experiment's
                 steps_.clear();
                 any_set_.clear();
-                needs_.clear();
+                known_.clear();
                 means_ = nullptr;
             }
             if (means_) means_->forget();
@@ -125,7 +125,7 @@ private:
     // The kernel for `count` iterations from `iteration` on.
     LatticeKernel& step_for(std::uint64_t iteration, std::uint64_t count) {
         const std::vector<bool> active = active_rules(experiment(), iteration);
-        const Choice choice = choice_for(active, iteration, count);
+        const Choice& choice = choice_for(active, iteration, count);
         if (steps_.size() >= session_->options().variants && !steps_.contains({active, choice.path})) {
             std::unique_ptr<LatticeKernel>& step = any_set_[choice.path];
             if (!step) step = make_step(std::vector<bool>(active.size(), true), true, for_any_set(choice), iteration);
@@ -136,12 +136,36 @@ private:
         return *step;
     }
 
-    Choice choice_for(const std::vector<bool>& active, std::uint64_t iteration, std::uint64_t count) {
+    // What is known of one set of active rules.
+    struct Known {
+        RuleNeeds needs;
+        Work work;
+        double chosen_at = 0;  // work.done when the choice was made; 0: not yet
+        Choice choice;
+    };
+
+    const Choice& choice_for(const std::vector<bool>& active, std::uint64_t iteration, std::uint64_t count) {
+        const auto found = known_.find(active);
+        Known& known = found != known_.end() ? found->second : known_.emplace(active, first_look(active)).first->second;
         const auto cells = static_cast<double>(do_cells());
-        Work work{cells, bytes_a_cell(experiment(), plan_, every_use_, session_->options().precision), 0, {}};
-        work.done = work_[active] += static_cast<double>(count) * cells;
-        work.ahead = work_ahead(experiment(), active, iteration, cells);
-        return choose(session_->info(), needs_of(active), work, session_->options());
+        known.work.done += static_cast<double>(count) * cells;
+        constexpr double worth_asking = 1.1;  // little work more changes nothing, and asking takes time too
+        const bool stays = known.work.compiled || known.work.done < worth_asking * known.chosen_at;
+        if (known.chosen_at > 0 && known.work.cells == cells && stays) return known.choice;
+        known.work.cells = cells;
+        known.work.ahead = work_ahead(experiment(), active, iteration, cells);
+        known.choice = choose(session_->info(), known.needs, known.work, session_->options());
+        known.work.compiled = known.choice.path == Path::streamed;
+        known.chosen_at = known.work.done;
+        return known.choice;
+    }
+
+    Known first_look(const std::vector<bool>& active) const {
+        const Precision precision = session_->options().precision;
+        Known known;
+        known.needs = rule_needs(experiment(), plan_, emit_rules(experiment(), active, precision).use);
+        known.work.bytes_a_cell = bytes_a_cell(experiment(), plan_, every_use_, precision);
+        return known;
     }
 
     // The same path, cut for a program that tests at run time which rules act.
@@ -151,13 +175,6 @@ private:
         Choice any = choose(session_->info(), rule_needs(experiment(), plan_, every_use_), {}, options);
         any.why = choice.why;
         return any;
-    }
-
-    const RuleNeeds& needs_of(const std::vector<bool>& active) {
-        const auto known = needs_.find(active);
-        if (known != needs_.end()) return known->second;
-        const RuleUse use = emit_rules(experiment(), active, session_->options().precision).use;
-        return needs_[active] = rule_needs(experiment(), plan_, use);
     }
 
     std::unique_ptr<LatticeKernel> make_step(const std::vector<bool>& active, bool test_intervals, const Choice& choice,
@@ -204,13 +221,12 @@ private:
     LatticePlan plan_;
     RuleUse every_use_;  // what any rule may need, at any time
     std::unique_ptr<LatticeState> state_;
-    std::shared_ptr<LatticeMeans> means_;       // null where they do not pay, or not needed yet
-    bool counted_ = false;                      // state_ has been told that an iteration has been carried out
-    std::map<std::vector<bool>, double> work_;  // cell-updates asked for, by active rules
+    std::shared_ptr<LatticeMeans> means_;  // null where they do not pay, or not needed yet
+    bool counted_ = false;                 // state_ has been told that an iteration has been carried out
+    std::map<std::vector<bool>, Known> known_;
     // By active rules and path; any_set_ tests at run time which rules act.
     std::map<std::pair<std::vector<bool>, Path>, std::unique_ptr<LatticeKernel>> steps_;
     std::map<Path, std::unique_ptr<LatticeKernel>> any_set_;
-    std::map<std::vector<bool>, RuleNeeds> needs_;  // by active rules
     std::vector<std::string> notes_;
     std::string latest_note_;
     cl::Buffer parameters_;
