@@ -1,6 +1,7 @@
 // Tiles in local memory: the bits of the reference, whatever their shape and the number of work-items.
 #include "busy_lattice.hpp"
 #include "lattice_run.hpp"
+#include "opencl/lattice/choice.hpp"
 
 using namespace pelage;
 using namespace pelage::verify;
@@ -78,6 +79,31 @@ TEST_CASE("streamed: every shape gives the same bits") {
     const Snapshot expected = run(*reference_backend(Precision::single_), experiment, {37});
 
     require_equal(expected, run(*opencl_backend(streamed), experiment, {37}));
+}
+
+TEST_CASE("tiled: a lattice that outgrows its tiles gets larger ones, and the reference's bits") {
+    Lab lab = Lab::matrix(88, 88, Boundary::no_flux);
+    lab.chemical("U", {5, 3}, {1, 0}, unbounded);
+    Rule& growth = lab.rule(Expand{6, 6, true, Distribution::uniform, 1.0, 0.0, 0.0, true});
+    growth.from = 8;
+    growth.until = 24;
+    growth.every = 8;
+    const Experiment experiment = lab.time_step(0.05).done();
+    const auto cut = [](double cells) {
+        Work work;
+        work.cells = cells;
+        RuleNeeds needs;
+        needs.fields = {1, 0};
+        return choose(opencl_backend(tiled())->device(), needs, work, tiled()).cut;
+    };
+    if (cut(88 * 88) == cut(106 * 106)) WARN("SKIPPED: this device has one size of tiles for both");
+
+    for (const std::size_t variants : {0u, 16u}) {
+        OpenclOptions options = tiled();
+        options.variants = variants;
+        require_equal(run(*reference_backend(Precision::single_), experiment, {40}),
+                      run(*opencl_backend(options), experiment, {40}));
+    }
 }
 
 TEST_CASE("tiled: a run says that it took them, and how deep") {

@@ -7,6 +7,7 @@
 #include "core/tissue.hpp"
 #include "opencl/rules/emit_rules.hpp"
 
+#include <compare>
 #include <cstddef>
 #include <string>
 #include <vector>
@@ -21,6 +22,8 @@ struct FusedShape {
     std::size_t group = 1;    // work-items
     bool prefetch = false;    // ask for memory before it is needed
     bool together = false;    // strips' work-groups may share the passes of a launch, see lattice/together.cl
+
+    auto operator<=>(const FusedShape&) const = default;
 };
 
 std::string stream_source(const Experiment&, const LatticePlan&, const RuleText&, const std::vector<bool>& bounded,

@@ -20,6 +20,7 @@
 
 #include <algorithm>
 #include <map>
+#include <tuple>
 #include <utility>
 
 namespace pelage {
@@ -55,6 +56,7 @@ public:
 
 private:
     static constexpr std::size_t most_notes = 64;
+    using Key = std::tuple<std::vector<bool>, Path, FusedShape>;  // active rules, and how they are carried out
 
     std::size_t do_cells() const override { return state_->grid().cells(); }
 
@@ -125,13 +127,18 @@ private:
     // The kernel for `count` iterations from `iteration` on.
     LatticeKernel& step_for(std::uint64_t iteration, std::uint64_t count) {
         const std::vector<bool> active = active_rules(experiment(), iteration);
-        const Choice& choice = choice_for(active, iteration, count);
-        if (steps_.size() >= session_->options().variants && !steps_.contains({active, choice.path})) {
-            std::unique_ptr<LatticeKernel>& step = any_set_[choice.path];
-            if (!step) step = make_step(std::vector<bool>(active.size(), true), true, for_any_set(choice), iteration);
+        Known& known = choose_for(active, iteration, count);
+        const Choice& choice = known.choice;
+        const Key key{active, choice.path, choice.cut};
+        if (steps_.size() >= session_->options().variants && !steps_.contains(key)) {
+            if (!known.any) known.any = for_any_set(choice);
+            const Choice& any = *known.any;
+            const std::vector<bool> every(active.size(), true);
+            std::unique_ptr<LatticeKernel>& step = any_set_[{every, any.path, any.cut}];
+            if (!step) step = make_step(every, true, any, iteration);
             return *step;
         }
-        std::unique_ptr<LatticeKernel>& step = steps_[{active, choice.path}];
+        std::unique_ptr<LatticeKernel>& step = steps_[key];
         if (!step) step = make_step(active, false, choice, iteration);
         return *step;
     }
@@ -142,22 +149,24 @@ private:
         Work work;
         double chosen_at = 0;  // work.done when the choice was made; 0: not yet
         Choice choice;
+        std::optional<Choice> any;  // the same for a program that tests at run time which rules act
     };
 
-    const Choice& choice_for(const std::vector<bool>& active, std::uint64_t iteration, std::uint64_t count) {
+    Known& choose_for(const std::vector<bool>& active, std::uint64_t iteration, std::uint64_t count) {
         const auto found = known_.find(active);
         Known& known = found != known_.end() ? found->second : known_.emplace(active, first_look(active)).first->second;
         const auto cells = static_cast<double>(do_cells());
         known.work.done += static_cast<double>(count) * cells;
         constexpr double worth_asking = 1.1;  // little work more changes nothing, and asking takes time too
         const bool stays = known.work.compiled || known.work.done < worth_asking * known.chosen_at;
-        if (known.chosen_at > 0 && known.work.cells == cells && stays) return known.choice;
+        if (known.chosen_at > 0 && known.work.cells == cells && stays) return known;
         known.work.cells = cells;
         known.work.ahead = work_ahead(experiment(), active, iteration, cells);
         known.choice = choose(session_->info(), known.needs, known.work, session_->options());
         known.work.compiled = known.choice.path == Path::streamed;
+        known.any.reset();
         known.chosen_at = known.work.done;
-        return known.choice;
+        return known;
     }
 
     Known first_look(const std::vector<bool>& active) const {
@@ -171,8 +180,10 @@ private:
     // The same path, cut for a program that tests at run time which rules act.
     Choice for_any_set(const Choice& choice) const {
         OpenclOptions options = session_->options();
-        options.path = choice.path;
-        Choice any = choose(session_->info(), rule_needs(experiment(), plan_, every_use_), {}, options);
+        if (choice.path != Path::tiled) options.path = choice.path;  // else it may not fit: then it is not asked for
+        Work work;
+        work.cells = static_cast<double>(do_cells());
+        Choice any = choose(session_->info(), rule_needs(experiment(), plan_, every_use_), work, options);
         any.why = choice.why;
         return any;
     }
@@ -224,9 +235,8 @@ private:
     std::shared_ptr<LatticeMeans> means_;  // null where they do not pay, or not needed yet
     bool counted_ = false;                 // state_ has been told that an iteration has been carried out
     std::map<std::vector<bool>, Known> known_;
-    // By active rules and path; any_set_ tests at run time which rules act.
-    std::map<std::pair<std::vector<bool>, Path>, std::unique_ptr<LatticeKernel>> steps_;
-    std::map<Path, std::unique_ptr<LatticeKernel>> any_set_;
+    std::map<Key, std::unique_ptr<LatticeKernel>> steps_;
+    std::map<Key, std::unique_ptr<LatticeKernel>> any_set_;  // tests at run time which rules act
     std::vector<std::string> notes_;
     std::string latest_note_;
     cl::Buffer parameters_;
