@@ -1,6 +1,6 @@
 # Writes OUTPUT: a table from kernel file name (relative to ROOT) to its text. Run by EmbedKernels.cmake.
 set(text "// Made by cmake/WriteKernels.cmake from kernels/.\n#include \"opencl/device/kernel_sources.hpp\"\n\n")
-string(APPEND text "namespace pelage {\n\nconst std::map<std::string, std::string>& kernel_sources() {\n")
+string(APPEND text "namespace pelage {\n\nconst std::map<std::string, std::string>& embedded_kernels() {\n")
 string(APPEND text "    static const auto& table = *new const std::map<std::string, std::string>{\n")
 foreach(file IN LISTS FILES)
   file(READ ${ROOT}/${file} source)

@@ -3,17 +3,32 @@
 #include "app/commands.hpp"
 #include "app/last_will.hpp"
 #include "app/say.hpp"
+#include "opencl/device/kernel_sources.hpp"
 
 #include <CLI/App.hpp>
 
+#include <cstddef>
 #include <cstdio>
 #include <cstdlib>
 #include <exception>
 #include <new>
+#include <span>
+#include <string>
+#include <string_view>
 
 namespace {
 
 using pelage::app::complain;
+
+// Children are silent: their parent has said it.
+void tell_of_other_kernels(std::span<char*> arguments) {
+    const std::string folder = pelage::kernels_folder();
+    if (folder.empty()) return;
+    for (const std::string_view argument : arguments) {
+        if (argument == "--worker") return;
+    }
+    pelage::app::say(stderr, "note: kernels come from PELAGE_KERNELS, '{}', not from this program\n", folder);
+}
 
 int run(int argc, char** argv) {
     int exit_code = pelage::app::success;
@@ -32,6 +47,7 @@ int main(int argc, char** argv) {
     pelage::app::keep_ignored();
     pelage::app::tidy_when_killed();
     try {
+        tell_of_other_kernels({argv, static_cast<std::size_t>(argc)});
         return run(argc, argv);
     } catch (const std::bad_alloc&) {
         return complain("out of memory");

@@ -7,6 +7,7 @@
 #include "io/checksum.hpp"
 #include "io/file_bytes.hpp"
 #include "opencl/device/cache.hpp"
+#include "opencl/device/kernel_sources.hpp"
 #include "opencl/device/session.hpp"
 #include "opencl/device/subnormal.hpp"
 #include "verify/self_test.hpp"
@@ -70,13 +71,14 @@ void remember(const std::string& key, const std::string& note) {
 SelfCheck self_check(const OpenclOptions& options, const DeviceInfo& device, const Experiment& experiment,
                      const Snapshot& initial, std::uint64_t last) {
     const std::string key = key_of(options, device, experiment, initial, last);
-    if (options.use_cache) {
+    const bool remembers = options.use_cache && kernels_folder().empty();
+    if (remembers) {
         if (const auto note = passed_before(key)) return {"", *note};
     }
     const std::string difference = verify::self_test(options, experiment, initial, last);
     if (difference.empty()) {
         const std::string note = subnormal_difference(Session(device, options));
-        if (options.use_cache) remember(key, note);
+        if (remembers) remember(key, note);
         return {"", note};
     }
     return {fmt::format("device '{}' fails the self-test, its numbers are not the reference's: {}; `pelage verify "

@@ -53,7 +53,7 @@ OpenclBackend& Place::backend(const Setting& setting) {
         options.work_group = setting.work_group;
         options.width = setting.width;
         options.variants = setting.variants;
-        options.cut.columns = setting.columns;
+        options.cut = {setting.depth, setting.columns, setting.rows, setting.group};
         options.neighbours = setting.search;
         backend = opencl_backend(options);
     }
@@ -119,7 +119,7 @@ std::vector<std::size_t> telling_counts(const Place& place) {
 std::vector<Check> all_checks(std::uint64_t seed) {
     std::vector<Check> checks = primitive_checks(seed);
     for (auto part : {neighbour_checks(seed), gather_checks(seed), lattice_checks(), law_checks(seed), cell_checks(),
-                      checkpoint_checks(), random_checks(seed)}) {
+                      checkpoint_checks(), array_checks(), random_checks(seed)}) {
         checks.insert(checks.end(), std::make_move_iterator(part.begin()), std::make_move_iterator(part.end()));
     }
     return checks;

@@ -24,8 +24,11 @@ struct Setting {
     std::size_t work_group = 0;  // 0: as a run would choose it
     std::size_t width = 0;
     std::size_t variants = 16;
-    std::size_t columns = 0;                         // of a band of streamed steps; 0: as a run would choose it
+    std::size_t columns = 0;                         // of a band or tile, as rows, depth and group: see LatticeCut
     NeighbourSearch search = NeighbourSearch::bins;  // of free cells
+    std::size_t rows = 0;
+    std::size_t depth = 0;
+    std::size_t group = 0;
 
     auto operator<=>(const Setting&) const = default;
     std::string text() const;  // "double", "double, streamed", "work-group 3"; empty for the default
@@ -106,6 +109,7 @@ std::vector<Check> neighbour_checks(std::uint64_t seed);
 std::vector<Check> gather_checks(std::uint64_t seed);
 std::vector<Check> random_checks(std::uint64_t seed);
 std::vector<Check> checkpoint_checks();
+std::vector<Check> array_checks();
 
 // Runs one check: whatever is thrown becomes a failure.
 Outcome carry_out(const Check&, Place&);

@@ -1,12 +1,20 @@
-// The texts of kernels/**/*.cl, embedded at build time.
+// The texts of kernels/**/*.cl: those embedded at build time, or for a developer those of a folder.
 #pragma once
 
+#include <filesystem>
 #include <map>
 #include <string>
 
 namespace pelage {
 
-// File name relative to kernels/ ("lattice/step.cl", "models/turing.cl") -> text.
+// File name relative to kernels/ ("lattice/step.cl", "models/turing.cl") -> text. Where the environment has
+// PELAGE_KERNELS, a folder's name, its files of these names take the place of the embedded ones. Throws Error where one
+// of them cannot be read.
 const std::map<std::string, std::string>& kernel_sources();
+
+const std::map<std::string, std::string>& embedded_kernels();
+
+std::string kernels_folder();  // PELAGE_KERNELS; empty: not set
+std::map<std::string, std::string> read_kernels(const std::filesystem::path& folder);
 
 }  // namespace pelage

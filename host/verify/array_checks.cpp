@@ -1,0 +1,178 @@
+// See check.hpp: experiments generated from what the program declares, see array_factors.hpp.
+#include "core/prepattern.hpp"
+#include "language/parse.hpp"
+#include "reference/backend.hpp"
+#include "verify/array_text.hpp"
+#include "verify/bounded.hpp"
+#include "verify/check.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <memory>
+#include <optional>
+
+namespace pelage::verify {
+
+namespace {
+
+constexpr std::size_t pairs = 2;
+constexpr std::size_t triples = 3;
+constexpr std::size_t small_cells = 260;   // for simulators
+constexpr std::size_t enough_cells = 200;  // a picture of fewer tells little
+constexpr std::size_t strides_if_small = 2;
+
+std::size_t several(const Place& place) {
+    // CPUs run one work-item a group, other devices 64 at most.
+    const std::size_t group = place.device().type == "cpu" ? 3 : 16;
+    return std::min(group, place.device().max_work_group);
+}
+
+Setting setting_of(const GeneratedWorld& made, Realm realm, const Place& place) {
+    const Values world(realm, made.world);
+    Setting setting;
+    const bool lattice = world.realm() == Realm::lattice;
+    const std::string& path = world["path"];
+    for (const Path one : {Path::shared, Path::streamed, Path::tiled}) {
+        if (path == word(one)) setting.path = one;
+    }
+    const std::size_t others[] = {4, 2, 8};
+    if (world["width"] != "own") setting.width = world["width"] == "1" ? 1 : others[made.number % 3];
+    setting.variants = world["intervals"] == "tested" ? 0 : 1;
+    setting.precision = world["precision"] == "double" ? Precision::double_ : Precision::single_;
+    if (world["group"] == "several") setting.work_group = setting.group = several(place);
+    if (!lattice && world["search"] == "sorting") setting.search = NeighbourSearch::spatial_sorting;
+    if (lattice && world["cut"] == "small") {
+        setting.columns = path == "tiled" ? 12 : 32;
+        setting.rows = path == "tiled" ? 5 : 2;
+        setting.depth = 3;
+    }
+    return setting;
+}
+
+// The world in the words that differ from world to world.
+std::string described(const Values& world) {
+    std::string text;
+    for (std::size_t i = 0; i < world_factors(world.realm()); ++i) {
+        const std::string& name = factors_of(world.realm())[i].name;
+        text += fmt::format("{}{} {}", text.empty() ? "" : ", ", name, world[name]);
+    }
+    return text;
+}
+
+class GeneratedCheck {
+public:
+    GeneratedCheck(Place& place, const GeneratedWorld& made, Realm realm)
+        : place_(place), made_(made), realm_(realm), setting_(setting_of(made, realm, place)) {}
+
+    Outcome run() {
+        if (setting_.precision == Precision::double_ && !place_.device().fp64) {
+            return {Verdict::skipped, {}, "the device has no numbers of double precision", {}};
+        }
+        for (const Size size : generated_sizes(made_, realm_)) {
+            const GeneratedCase one{&made_, realm_, size};
+            if (place_.small() && size.columns * std::max<std::size_t>(size.rows, 1) > small_cells) continue;
+            follow(one);
+        }
+        conclude();
+        return std::move(outcome_);
+    }
+
+private:
+    void follow(const GeneratedCase& one) {
+        const std::string text = generated_text(one);
+        const Experiment experiment = parse_experiment(text, "generated experiment", ".");
+        Snapshot state = initial_state(experiment, setting_.precision);
+        set_stage(one, state);
+        const auto expected = reference_backend(setting_.precision, setting_.search)->make_tissue(experiment, state);
+        const auto found = place_.backend(setting_).make_tissue(experiment, state);
+        std::vector<Snapshot> states{state};
+        std::vector<std::uint64_t> strides = generated_strides(one.size);
+        if (place_.small()) strides.resize(strides_if_small);
+        for (const std::uint64_t stride : strides) {
+            expected->advance(stride);
+            found->advance(stride);
+            states.push_back(expected->read());
+            const Snapshot there = found->read();
+            const bool equal_before = outcome_.tally.equal();
+            const std::string when = fmt::format("{} x {}, {} iterations after the start", one.size.columns,
+                                                 one.size.rows, states.back().iteration - state.iteration);
+            add(outcome_.tally, states.back(), there, setting_.precision, when);
+            if (equal_before && !outcome_.tally.equal()) note_difference(text, states.back(), there, when);
+        }
+        if (states.back().conc != state.conc) changed_ = true;
+        if (!rounds_exactly(place_, setting_)) one_by_one(experiment, states);
+    }
+
+    void note_difference(const std::string& text, const Snapshot& expected, const Snapshot& found,
+                         const std::string& when) {
+        text_ = text;
+        if (!expected.lattice() || expected.cells() != found.cells()) return;
+        std::size_t chemical = 0;
+        while (chemical + 1 < expected.conc.size() && expected.conc[chemical] == found.conc[chemical]) ++chemical;
+        if (outcome_.evidence && expected.cells() < enough_cells) return;
+        outcome_.evidence = Evidence{fmt::format("conc[{}], {}", chemical, when), expected.columns, expected.rows,
+                                     expected.conc[chemical], found.conc[chemical]};
+    }
+
+    // Where the device's divisions are not exact: one iteration from each of the reference's states.
+    void one_by_one(const Experiment& experiment, const std::vector<Snapshot>& states) {
+        if (outcome_.tally.equal()) return;
+        outcome_.tally = single_iterations(experiment, states, place_, setting_);
+        if (!within_bound(outcome_.tally)) return;
+        outcome_.message = bound_message();
+        outcome_.tally = {};
+    }
+
+    void conclude() {
+        const std::string what = described({realm_, made_.world});
+        if (!outcome_.tally.equal()) {
+            outcome_.verdict = Verdict::failed;
+            outcome_.message = fmt::format("{}; the experiment, from iteration {} on:\n{}", what,
+                                           Values(realm_, made_.world)["start"], text_);
+        } else if (!changed_) {
+            outcome_.verdict = place_.small() ? Verdict::skipped : Verdict::mistrusted;
+            outcome_.message = place_.small() ? "left out with --small" : what + ": nothing changes";
+        }
+    }
+
+    Place& place_;
+    const GeneratedWorld& made_;
+    Realm realm_;
+    Setting setting_;
+    Outcome outcome_;
+    std::string text_;  // of the experiment that differed first
+    bool changed_ = false;
+};
+
+std::string kernel_of(const Values& world) {
+    if (world.realm() == Realm::cells) return "cells, generated";
+    const std::string& path = world["path"];
+    if (path == "streamed") return "fused steps";
+    if (path == "tiled") return "tiles";
+    return path == "shared" ? "shared steps" : "single steps";
+}
+
+}  // namespace
+
+std::vector<Check> array_checks() {
+    std::vector<Check> checks;
+    for (const std::size_t strength : {pairs}) {
+        for (const Realm realm : {Realm::lattice, Realm::cells}) {
+            for (std::size_t nth = 0; nth < world_count(realm, strength); ++nth) {
+                const ArrayRow& row = world_row(realm, strength, nth);
+                const Values world(realm, row);
+                std::string name = fmt::format("{}/{}/{}-{}", strength == pairs ? "pairs" : "triples",
+                                               realm == Realm::lattice ? "lattice" : "cells", nth, world["path"]);
+                if (realm == Realm::lattice) name += fmt::format("-{}-{}", world["stencil"], world["boundary"]);
+                checks.push_back({name, kernel_of(world), strength == pairs, [=](Place& place) {
+                                      const auto& worlds = generated_worlds(realm, strength);
+                                      return GeneratedCheck(place, worlds[nth], realm).run();
+                                  }});
+            }
+        }
+    }
+    return checks;
+}
+
+}  // namespace pelage::verify

@@ -1,0 +1,190 @@
+// See array_text.hpp: rules. Numbers are such that conditions hold in some cells, and that what a rule does is seen.
+#include "core/models.hpp"
+#include "verify/array_text.hpp"
+#include "verify/lab.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <string_view>
+
+namespace pelage::verify {
+
+namespace {
+
+class RuleWriter {
+public:
+    RuleWriter(const GeneratedCase& one, std::size_t nth)
+        : case_(one),
+          nth_(nth),
+          values_(one.realm, one.made->rules[nth]),
+          start_(std::stoull(values_["start"])),
+          chemicals_(generated_chemicals(one)) {}
+
+    std::string lines() const {
+        std::string text;
+        const std::string when = timing();
+        if (values_["joined"] == "and") {
+            const char* what = action() == "divide" ? "probability 0.15" : "if G conc >= 1";
+            text += fmt::format("rule {}{} and\n", when, what);
+        }
+        return text + fmt::format("rule {}{} {}\n", when, condition(), act());
+    }
+
+private:
+    const std::string& action() const { return values_["action"]; }
+    bool lattice() const { return case_.realm == Realm::lattice; }
+
+    // Counted from the start of the run, or of the phase that the rule belongs to.
+    std::string timing() const {
+        const std::string& when = values_["when"];
+        if (action() == "divide" && when == "interval") return fmt::format("from {} until {} ", start_, start_);
+        if (action() == "divide" && when != "phase") return fmt::format("every 7 offset {} ", 1 + (start_ + nth_) % 7);
+        if (when == "interval") return fmt::format("from {} until {} ", start_, start_ + 11);
+        if (when == "every") return fmt::format("every {} ", 2 + nth_ % 3);
+        if (when == "offset") return fmt::format("every 3 offset {} ", start_ + 2);
+        if (when == "phase") return action() == "divide" ? "until 3 " : "every 2 offset 1 ";
+        return "";
+    }
+
+    // ---- what is read
+
+    // A number about which the values of that quantity lie.
+    double middle(const std::string& what) const {
+        const auto half = [](std::size_t count) { return std::floor(static_cast<double>(count) / 2); };
+        const auto even = [](std::size_t count) { return count % 2 == 0 ? 1.0 : 0.0; };
+        const auto start = static_cast<double>(start_);
+        if (what == "conc") return 1.5;
+        if (what == "diff") return 0.125;
+        if (what == "mapping") return 0.78125;
+        if (what == "X") return lattice() ? 0.5 + even(case_.size.columns) : 0.0;
+        if (what == "Y") return lattice() ? -3.25 + even(case_.size.rows) : 0.0;
+        if (what == "ROW") return half(case_.size.rows);
+        if (what == "COLUMN") return half(case_.size.columns);
+        if (what == "ROWS") return static_cast<double>(case_.size.rows);
+        if (what == "COLUMNS") return static_cast<double>(case_.size.columns);
+        if (what == "AGE") return 6;
+        if (what == "BIRTH") return std::max(0.0, start - 6);
+        if (what == "ITERATION") return start + 4;
+        if (what == "NEIGHBORS") return lattice() ? 3 : 5;
+        return 0.5;
+    }
+
+    static std::string number(double value) { return fmt::format("{}", value); }
+
+    std::string quantity(const std::string& what) const {
+        if (what == "conc") return nth_ % 2 == 0 ? "G conc" : "Q conc";
+        if (what == "diff") return nth_ % 2 == 0 ? "Z diff" : "Q diff";
+        if (what == "mapping") return "M";
+        if (what == "number") return number(0.375);
+        return what;
+    }
+
+    // In comparisons concentrations are those of G, which are few numbers.
+    std::string compared(const std::string& what) const { return what == "conc" ? "G conc" : quantity(what); }
+
+    // Another quantity: of the same kind, whole or not, or of the other.
+    static std::string_view partner(const std::string& what, bool alike) {
+        struct Pair {
+            std::string_view what, alike, other;
+        };
+        constexpr Pair pairs[] = {
+            {"conc", "M", "AGE"},          {"diff", "M", "NEIGHBORS"},  {"mapping", "G conc", "AGE"},
+            {"X", "Y", "ITERATION"},       {"Y", "X", "NEIGHBORS"},     {"AGE", "BIRTH", "Q conc"},
+            {"BIRTH", "AGE", "X"},         {"ROW", "COLUMN", "Q conc"}, {"COLUMN", "ROW", "Y"},
+            {"ROWS", "COLUMNS", "G conc"}, {"COLUMNS", "ROWS", "M"},    {"number", "AGE", "G conc"},
+            {"NEIGHBORS", "AGE", "M"},     {"ITERATION", "BIRTH", "X"}};
+        for (const Pair& pair : pairs) {
+            if (pair.what == what) return alike ? pair.alike : pair.other;
+        }
+        return alike ? "RANDOM" : "AGE";
+    }
+
+    std::string condition() const {
+        const std::string& how = values_["condition"];
+        if (how == "always") return how;
+        const std::string& what = values_["read"];
+        if (how == "probability") return "probability " + quantity(what);
+        const std::string& against = values_["against"];
+        const std::string left = what == "number" ? (against == "alike" ? "4" : "1.25") : compared(what);
+        const double low = middle(what);
+        const std::string right = against == "number" ? number(low) : std::string(partner(what, against == "alike"));
+        if (how != "in") return fmt::format("if {} {} {}", left, how, right);
+        const std::string high = number(what == "RANDOM" ? 0.9 : what == "diff" ? 0.25 : low + 3);
+        return nth_ % 2 == 0 ? fmt::format("if {} in {} {}", left, right, high)
+                             : fmt::format("if {} in {} {}", left, number(what == "RANDOM" ? 0.1 : -2), right);
+    }
+
+    // ---- what is done
+
+    const std::string& one_of(const std::string& first, const std::string& middle, const std::string& last) const {
+        const std::string& target = values_["target"];
+        return target == "first" ? first : target == "middle" ? middle : last;
+    }
+
+    std::string amount(double plain) const {
+        const std::string& what = values_["amount"];
+        return what == "number" ? number(plain) : quantity(what);
+    }
+
+    std::string deviation(double value) const { return values_["deviation"] == "yes" ? " dev " + number(value) : ""; }
+
+    std::string act() const {
+        const double some = static_cast<double>(nth_ + 1);
+        const std::string& what = action();
+        if (what == "change conc")
+            return fmt::format("change {} conc {}{}", one_of("A", "B", "Z"), amount(0.0625 * some), deviation(0.3));
+        if (what == "change diff")
+            return fmt::format("change {} diff {}{}", one_of("D", "Q", "E"), amount(-0.003 * some), deviation(0.01));
+        if (what == "set conc") return fmt::format("set {} conc {}", one_of("A", "B", "Z"), amount(1 + 0.125 * some));
+        if (what == "set diff") return fmt::format("set {} diff {}", one_of("D", "Q", "E"), amount(0.01 * some));
+        if (what == "map") return map();
+        if (what == "polarize")
+            return fmt::format("polarize {} conc", one_of(chemicals_.front(), "Q", chemicals_.back()));
+        if (what == "divide") return fmt::format("divide direction {}{}", amount(37 * some), deviation(40));
+        if (what == "move") return fmt::format("move {}{}", amount(0.03 * some), deviation(0.05));
+        return react(model_named(what.substr(what.find(' ') + 1)).facts());
+    }
+
+    std::string map() const {
+        const double from = middle(values_["amount"]);
+        const double wide = std::max(1.0, 1e-6 * from);
+        const double to = nth_ % 2 == 0 ? 1.5 : -0.5;
+        return fmt::format("map {} {} {} to N{} 0.25 {}", amount(1.375), from - 1.25 * wide, from + 1.75 * wide, nth_,
+                           to);
+    }
+
+    // The amount stands for one of the numbers that the reaction takes; a random one for all of them.
+    std::string react(const ModelFacts& model) const {
+        std::vector<std::string> pool;
+        for (const std::string& name : chemicals_) {
+            if (std::string_view("PQRS").find(name[0]) != std::string_view::npos) pool.push_back(name);
+        }
+        const std::string& target = values_["target"];
+        const std::size_t first = target == "first" ? 0 : target == "middle" ? 1 : 2;
+        std::string text = "react";
+        for (std::size_t i = 0; i < model.species.size(); ++i) text += " " + pool[(first + i) % pool.size()];
+        const bool all = values_["amount"] == "RANDOM";
+        const std::size_t hit = nth_ % (model.parameters.size() + 1);
+        text += " scale " + (all || hit == 0 ? amount(0.5) : number(0.75)) + " " + model.word;
+        for (std::size_t i = 0; i < model.parameters.size(); ++i) {
+            const double plain = sensible(model.parameters[i], nth_ + i);
+            text +=
+                fmt::format(" {} {}", model.parameters[i].name, all || hit == i + 1 ? amount(plain) : number(plain));
+        }
+        return text;
+    }
+
+    const GeneratedCase& case_;
+    std::size_t nth_;
+    Values values_;
+    std::uint64_t start_;
+    std::vector<std::string> chemicals_;
+};
+
+}  // namespace
+
+std::string generated_rule(const GeneratedCase& one, std::size_t nth) { return RuleWriter(one, nth).lines(); }
+
+}  // namespace pelage::verify

@@ -1,0 +1,43 @@
+// Experiments of the generated table as text of the language, and the states that they start from.
+#pragma once
+
+#include "core/snapshot.hpp"
+#include "verify/array_factors.hpp"
+#include "verify/cases.hpp"
+
+#include <cstddef>
+#include <cstdint>
+#include <string>
+#include <vector>
+
+namespace pelage::verify {
+
+// One experiment: a world and a size. Of free cells the size is that of a grid of hexagons; 0 rows: single cells.
+struct GeneratedCase {
+    const GeneratedWorld* made = nullptr;
+    Realm realm = Realm::lattice;
+    Size size;
+
+    Values world() const { return {realm, made->world}; }
+};
+
+std::vector<Size> generated_sizes(const GeneratedWorld&, Realm);
+
+std::string generated_text(const GeneratedCase&);
+
+// Iterations from one comparison to the next: phases begin in the middle of one, and at the end of another.
+std::vector<std::uint64_t> generated_strides(Size);
+
+// Makes of the experiment's first state the one that the case starts from: at its iteration, with cells of many ages.
+void set_stage(const GeneratedCase&, Snapshot&);
+
+// ---- the parts of the text
+
+// Chemicals in their order. A, B and Z know no bounds, P, Q, R and S<n> react, D and E have their rates changed, G is
+// never changed, F<n> are there to be many.
+std::vector<std::string> generated_chemicals(const GeneratedCase&);
+
+// The lines of the nth rule, first of all the `and` that it is joined to.
+std::string generated_rule(const GeneratedCase&, std::size_t nth);
+
+}  // namespace pelage::verify
