@@ -1,6 +1,7 @@
 // What a rule does: react, change, set, map, polarize, divide, move, expand, and
 #include "language/parse.hpp"
 #include "language/statements.hpp"
+#include "language/vocabulary.hpp"
 
 #include <fmt/format.h>
 
@@ -187,6 +188,8 @@ constexpr auto action_words = [] {
 }();
 
 }  // namespace
+
+std::vector<std::string_view> words_of_actions() { return {action_words.begin(), action_words.end()}; }
 
 Action parse_action(Script& script, Cursor& cursor, const Condition& condition) {
     const Token& word = cursor.peek();

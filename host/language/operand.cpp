@@ -1,5 +1,6 @@
 // Parameters of rules, and the names that stand for them.
 #include "language/statements.hpp"
+#include "language/vocabulary.hpp"
 
 #include <fmt/format.h>
 
@@ -60,6 +61,12 @@ bool numeric(std::string_view text) {
 }
 
 }  // namespace
+
+std::vector<std::string_view> words_of_quantities() {
+    std::vector<std::string_view> texts;
+    for (const Word& word : words) texts.push_back(word.text);
+    return texts;
+}
 
 Operand parse_operand(Script& script, Cursor& cursor, std::string_view what) {
     static constexpr std::array<std::string_view, 2> targets{"conc", "diff"};

@@ -1,5 +1,6 @@
 // rule [from INT] [until INT] [every INT [offset INT]] CONDITION ACTION
 #include "language/statements.hpp"
+#include "language/vocabulary.hpp"
 
 #include <fmt/format.h>
 
@@ -42,12 +43,14 @@ Timing parse_timing(Cursor& cursor) {
     }
 }
 
+constexpr std::array<std::string_view, 7> comparison_words{"==", "!=", "<", "<=", ">", ">=", "in"};
+constexpr std::array<std::string_view, 3> condition_words{"always", "if", "probability"};
+
 Condition parse_comparison(Script& script, Cursor& cursor) {
-    static constexpr std::array<std::string_view, 7> words{"==", "!=", "<", "<=", ">", ">=", "in"};
     static constexpr std::array comparisons{Comparison::equal,      Comparison::not_equal, Comparison::less,
                                             Comparison::less_equal, Comparison::greater,   Comparison::greater_equal};
     const Operand left = parse_operand(script, cursor, "the value compared");
-    const std::size_t which = cursor.choose(words);
+    const std::size_t which = cursor.choose(comparison_words);
     if (which < comparisons.size()) {
         return Compare{left, comparisons[which], parse_operand(script, cursor, "the value compared with")};
     }
@@ -56,12 +59,12 @@ Condition parse_comparison(Script& script, Cursor& cursor) {
 }
 
 Condition parse_condition(Script& script, Cursor& cursor) {
-    static constexpr std::array<std::string_view, 3> words{"always", "if", "probability"};
     static constexpr std::array<std::string_view, 7> with_timing{"always", "if",    "probability", "from",
                                                                  "until",  "every", "offset"};
     const Token& word = cursor.peek();
-    if (std::find(words.begin(), words.end(), word.text) == words.end()) cursor.unknown(word, with_timing);
-    const std::size_t kind = cursor.choose(words);
+    if (std::find(condition_words.begin(), condition_words.end(), word.text) == condition_words.end())
+        cursor.unknown(word, with_timing);
+    const std::size_t kind = cursor.choose(condition_words);
     if (kind == 0) return Always{};
     if (kind == 1) return parse_comparison(script, cursor);
     const Token& value = cursor.peek();
@@ -74,6 +77,9 @@ Condition parse_condition(Script& script, Cursor& cursor) {
 }
 
 }  // namespace
+
+std::vector<std::string_view> words_of_conditions() { return {condition_words.begin(), condition_words.end()}; }
+std::vector<std::string_view> words_of_comparisons() { return {comparison_words.begin(), comparison_words.end()}; }
 
 void parse_rule(Script& script, Cursor& cursor) {
     const Timing timing = parse_timing(cursor);

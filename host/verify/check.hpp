@@ -110,6 +110,7 @@ std::vector<Check> gather_checks(std::uint64_t seed);
 std::vector<Check> random_checks(std::uint64_t seed);
 std::vector<Check> checkpoint_checks();
 std::vector<Check> array_checks();
+std::vector<Check> finite_checks();
 
 // Runs one check: whatever is thrown becomes a failure.
 Outcome carry_out(const Check&, Place&);

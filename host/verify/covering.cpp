@@ -229,11 +229,18 @@ private:
     std::vector<std::vector<std::size_t>> used_;  // how often a value is in a row
 };
 
+// Any two of the choices fit each other, and to all of them fits some value of every other factor.
 bool feasible(const Array& array, std::span<const Choice> choices) {
-    for (std::size_t i = 0; i < choices.size(); ++i) {
-        for (std::size_t k = i + 1; k < choices.size(); ++k) {
-            if (!array.feasible(choices[i], choices[k])) return false;
-        }
+    const auto fits = [&](const Choice& one) {
+        return std::ranges::all_of(choices, [&](const Choice& other) {
+            return one.factor == other.factor ? one.value == other.value : array.feasible(one, other);
+        });
+    };
+    for (std::size_t factor = 0; factor < array.factors.size(); ++factor) {
+        bool any = false;
+        for (std::size_t value = 0; value < array.factors[factor].values.size(); ++value)
+            any = any || fits({factor, value});
+        if (!any) return false;
     }
     return true;
 }
@@ -244,7 +251,10 @@ Covering cover(const Array& array) { return Generator(array).run(); }
 
 std::vector<std::string> not_met(const Array& array, const std::vector<ArrayRow>& rows) {
     Tuples tuples(array);
-    for (const ArrayRow& row : rows) tuples.mark(row);
+    for (ArrayRow row : rows) {
+        row.resize(array.factors.size(), open);
+        tuples.mark(row);
+    }
     std::vector<std::string> missing;
     for (std::size_t nth = 0; nth < tuples.sets(); ++nth) {
         for (std::size_t tuple = 0; tuple < tuples.size(nth); ++tuple) {

@@ -40,8 +40,8 @@ struct Covering {
 // takes the value with which most new tuples meet.
 Covering cover(const Array&);
 
-// All tuples of values that no row of these holds, as text, though `feasible` has nothing against any two of them: for
-// tests. What only a whole row would show to be infeasible is among them.
+// All tuples of values that no row of these holds, as text, though any two of them may stand in one row and each other
+// factor has a value that may stand beside them: for tests. Rows may be shorter: their last factors are open then.
 std::vector<std::string> not_met(const Array&, const std::vector<ArrayRow>& rows);
 
 }  // namespace pelage::verify

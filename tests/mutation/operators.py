@@ -1,14 +1,16 @@
 #!/usr/bin/env python3
 """Plants faults that nobody chose, and shows which check of `pelage verify` catches each first.
 
-    python3 tests/mutation/operators.py [--sample N] [--seed N] [--form quick|full] [--results FILE.json] [--replay]
+    python3 tests/mutation/operators.py [--sample N] [--seed N] [--form quick|full] [--results FILE.json]
+    python3 tests/mutation/operators.py --named | --replay FILE.json | --summary
 
 A seeded draw takes files of kernels/ and the emitters in host/opencl, in each an operator (off by one, another
 comparison, another sign, swapped arguments, another variable, a narrower type, a statement dropped, a clamp removed, a
 constant changed) and a place for it. Faults in kernels need no build: the program reads them from a folder
 (PELAGE_KERNELS). Faults in emitters are built, in a copy of the sources or, with --tree, in a tree that has been built
-before. The results are kept in FILE after each fault, so that a run goes on where the last one ended; --replay plants
-the faults that FILE holds once more, whatever has become of the sources around them, into --results-again.
+before. The results are kept in FILE after each fault, so that a run goes on where the last one ended. --named plants
+the faults of faults.py, --replay those that another file of results holds, whatever has become of the sources around
+them. The exit code is 1 when a fault survived.
 """
 
 import argparse
@@ -26,6 +28,8 @@ import subprocess
 import sys
 import threading
 import time
+
+from faults import FAULTS
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
 EMITTERS = ["host/opencl/lattice/emit_*.cpp", "host/opencl/rules/*.cpp", "host/opencl/cells/source.cpp"]
@@ -190,8 +194,17 @@ def draw(seed):
                "nth": whole[:number].count(whole[number])}
 
 
+def named():
+    """The faults that were chosen by hand: (name, file, text, text with the fault)."""
+    for name, file, old, new in FAULTS:
+        yield {"file": file, "line": 0, "operator": name, "before": old, "after": new, "nth": 0}
+
+
 def plant(root, fault):
     """The file's text with the fault; None where the line is no longer there."""
+    if fault["line"] == 0:
+        text = (root / fault["file"]).read_text()
+        return text.replace(fault["before"], fault["after"]) if text.count(fault["before"]) == 1 else None
     lines = (root / fault["file"]).read_text().split("\n")
     places = [i for i, line in enumerate(lines) if line == fault["before"]]
     if fault["nth"] >= len(places):
@@ -386,6 +399,7 @@ def main():
     options.add_argument("--work", type=pathlib.Path, default=ROOT / "build" / "mutation")
     options.add_argument("--results", type=pathlib.Path, help="default: operators.json in the folder --work")
     options.add_argument("--replay", type=pathlib.Path, help="plant the faults of this file of results again")
+    options.add_argument("--named", action="store_true", help="the faults of faults.py")
     options.add_argument("--summary", action="store_true", help="print what the results say and plant nothing")
     chosen = options.parse_args()
     results_file = chosen.results or chosen.work / "operators.json"
@@ -398,7 +412,7 @@ def main():
     if verdict != "survived":
         raise SystemExit(f"without a fault {name} fails already: {what}")
     known = {(one["file"], one["before"], one["after"], one["nth"]): one for one in results}
-    faults = json.loads(chosen.replay.read_text()) if chosen.replay else draw(chosen.seed)
+    faults = named() if chosen.named else json.loads(chosen.replay.read_text()) if chosen.replay else draw(chosen.seed)
     judged = 0
     for fault in faults:
         if chosen.only not in fault["file"]:
@@ -414,7 +428,7 @@ def main():
             print(f"{verdict:<9} {fault['file']}:{fault['line']} ({fault['operator']}) {name} {one['seconds']} s",
                   flush=True)
         judged += one["verdict"] in ("killed", "survived")
-        if judged >= chosen.sample and not chosen.replay:
+        if judged >= chosen.sample and not chosen.replay and not chosen.named:
             break
     print(summary(results))
     return 0 if all(one["verdict"] != "survived" for one in results) else 1

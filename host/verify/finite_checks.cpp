@@ -1,0 +1,100 @@
+// See check.hpp: the search for concentrations that are no longer numbers.
+#include "core/prepattern.hpp"
+#include "language/parse.hpp"
+#include "verify/cases.hpp"
+#include "verify/cases_cells.hpp"
+#include "verify/check.hpp"
+
+#include <fmt/format.h>
+
+#include <cstddef>
+#include <limits>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace pelage::verify {
+
+namespace {
+
+constexpr double infinite = std::numeric_limits<double>::infinity();
+constexpr double no_number = std::numeric_limits<double>::quiet_NaN();
+
+std::string shown(const std::optional<NonFinite>& found) {
+    return found ? fmt::format("chemical {}, cell {}", found->chemical, found->cell) : "none";
+}
+
+class Search {
+public:
+    Search(Outcome& outcome, const Experiment& experiment, const Snapshot& state, OpenclBackend& backend)
+        : outcome_(outcome), state_(state), tissue_(backend.make_tissue(experiment, state)) {}
+
+    void everywhere() {
+        expect({}, "nothing");
+        for (std::size_t chemical = 0; chemical < state_.conc.size(); ++chemical) {
+            for (const std::size_t cell : {std::size_t{0}, std::size_t{1}, state_.cells() / 2, state_.cells() - 1}) {
+                for (const double value : {no_number, -infinite}) place(chemical, cell, value);
+            }
+        }
+    }
+
+    // The first in order of chemical and cell.
+    void of_two() {
+        Snapshot hurt = state_;
+        hurt.conc.back().front() = infinite;
+        hurt.conc.front().back() = no_number;
+        hurt.conc.front()[state_.cells() / 2 + 1] = -infinite;
+        tissue_->write(hurt);
+        expect(NonFinite{0, state_.cells() / 2 + 1}, "three");
+    }
+
+private:
+    void place(std::size_t chemical, std::size_t cell, double value) {
+        Snapshot hurt = state_;
+        hurt.conc[chemical][cell] = value;
+        tissue_->write(hurt);
+        expect(NonFinite{chemical, cell}, fmt::format("{}", value));
+    }
+
+    void expect(std::optional<NonFinite> wanted, const std::string& what) {
+        const std::optional<NonFinite> found = tissue_->non_finite();
+        outcome_.tally.cells_compared += state_.cells();
+        const bool same = wanted.has_value() == found.has_value() &&
+                          (!wanted || (wanted->chemical == found->chemical && wanted->cell == found->cell));
+        if (same || outcome_.verdict == Verdict::failed) return;
+        outcome_.verdict = Verdict::failed;
+        outcome_.message = fmt::format("of values that are not finite ({}) the first is {}, found: {}", what,
+                                       shown(wanted), shown(found));
+    }
+
+    Outcome& outcome_;
+    Snapshot state_;
+    std::unique_ptr<Tissue> tissue_;
+};
+
+Outcome search(Place& place, const Experiment& experiment) {
+    Outcome outcome;
+    for (const Precision precision : {Precision::single_, Precision::double_}) {
+        if (precision == Precision::double_ && !place.device().fp64) continue;
+        Search one(outcome, experiment, initial_state(experiment, precision), place.backend({.precision = precision}));
+        one.everywhere();
+        one.of_two();
+    }
+    return outcome;
+}
+
+}  // namespace
+
+std::vector<Check> finite_checks() {
+    return {{"values/not-finite", "not finite", true,
+             [](Place& place) {
+                 return search(place, lattice_case("reaction/fused").experiment({37, 26}));
+             }},
+            {"cells/not-finite", "not finite", true, [](Place& place) {
+                 const CellCase& one = cell_cases().front();
+                 return search(place, parse_experiment(one.text(), one.name, "."));
+             }}};
+}
+
+}  // namespace pelage::verify
