@@ -1,12 +1,14 @@
 // See report.hpp.
 #include "verify/report.hpp"
 
+#include "core/counted.hpp"
 #include "verify/evidence.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <chrono>
+#include <limits>
 #include <map>
 #include <set>
 
@@ -114,14 +116,18 @@ Result judge(const Check& check, Place& place, const std::filesystem::path& evid
     return result;
 }
 
+std::string ulp_text(std::uint64_t ulps) {
+    return ulps == std::numeric_limits<std::uint64_t>::max() ? "no number" : grouped(ulps);
+}
+
 std::string table(const std::vector<Result>& results) {
     std::string text = fmt::format("{:<20} {:>5} {:>12} {:>10} {:>10} {:>10} {:>10}  {}\n", "KERNEL", "CASES", "CELLS",
                                    "DIFFERING", "MAX ULP", "MAX ABS", "MAX REL", "VERDICT");
     std::vector<Summary> rows = by_kernel(results);
     for (const Summary& row : rows) {
         text += fmt::format("{:<20} {:>5} {:>12} {:>10} {:>10} {:>10.3g} {:>10.3g}  {}\n", row.kernel, row.cases,
-                            row.cells_compared, row.cells_differing, row.max_ulp, row.max_absolute, row.max_relative,
-                            word(row.verdict()));
+                            grouped(row.cells_compared), grouped(row.cells_differing), ulp_text(row.max_ulp),
+                            row.max_absolute, row.max_relative, word(row.verdict()));
     }
     return text;
 }

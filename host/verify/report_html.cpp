@@ -1,8 +1,7 @@
 // See report.hpp: the report as one page that needs no other file.
+#include "core/counted.hpp"
 #include "io/file_bytes.hpp"
 #include "verify/report.hpp"
-
-#include "core/counted.hpp"
 
 #include <fmt/format.h>
 
@@ -74,8 +73,8 @@ std::string sentence(const Summary& sum) {
 
 std::string cells(std::uint64_t compared, std::uint64_t differing, std::uint64_t ulp, double absolute,
                   double relative) {
-    return fmt::format("<td>{}</td><td>{}</td><td>{}</td><td>{:.3g}</td><td>{:.3g}</td>", compared, differing, ulp,
-                       absolute, relative);
+    return fmt::format("<td>{}</td><td>{}</td><td>{}</td><td>{:.3g}</td><td>{:.3g}</td>", grouped(compared),
+                       grouped(differing), ulp_text(ulp), absolute, relative);
 }
 
 constexpr const char* headings =
