@@ -148,8 +148,8 @@ private:
 std::string kernel_of(const Values& world) {
     if (world.realm() == Realm::cells) return "cells, generated";
     const std::string& path = world["path"];
-    if (path == "streamed") return "fused steps";
-    if (path == "tiled") return "tiles";
+    if (path == "streamed") return "streamed steps";
+    if (path == "tiled") return "tiled steps";
     return path == "shared" ? "shared steps" : "single steps";
 }
 

@@ -32,7 +32,7 @@ Outcome disturbed(const Folder& folder, int signal) {
 TEST_CASE("verify finds nothing wrong with this device, in the quick form") {
     const Folder folder;
 
-    Surroundings busy;  // a minute, or several where others compile, too
+    test::Surroundings busy;  // a minute, or several where others compile, too
     busy.patience = std::chrono::seconds(600);
     const Outcome outcome =
         command({"verify", "--json", folder / "report.json", "--html", folder / "report.html"}, busy);

@@ -201,7 +201,9 @@ def named():
 
 
 def plant(root, fault):
-    """The file's text with the fault; None where the line is no longer there."""
+    """The file's text with the fault; None where the line, or the file, is no longer there."""
+    if not (root / fault["file"]).exists():
+        return None
     if fault["line"] == 0:
         text = (root / fault["file"]).read_text()
         return text.replace(fault["before"], fault["after"]) if text.count(fault["before"]) == 1 else None

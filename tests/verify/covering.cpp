@@ -166,5 +166,5 @@ TEST_CASE("generated experiments are of the language, and most of their rules ch
     }
     CAPTURE(rules, idle);
     CHECK(rules > 600);
-    CHECK(idle.size() < rules / 6);
+    CHECK(idle.size() < rules / 4);
 }
