@@ -1,8 +1,10 @@
 // `pelage check FILE...`: reads experiments without running them.
 #include "app/change_notes.hpp"
 #include "app/commands.hpp"
+#include "app/parameters.hpp"
 #include "app/read_experiment.hpp"
 #include "app/say.hpp"
+#include "app/settings.hpp"
 #include "core/counted.hpp"
 #include "core/error.hpp"
 #include "core/prepattern.hpp"
@@ -12,6 +14,7 @@
 #include <fmt/format.h>
 #include <CLI/Config.hpp>
 #include <CLI/Formatter.hpp>
+#include <nlohmann/json.hpp>
 
 #include <cstdio>
 #include <memory>
@@ -25,8 +28,11 @@ namespace {
 
 struct CheckOptions {
     std::vector<std::string> files;
+    std::vector<std::string> settings;
     bool explain = false;
     bool strict = false;
+    bool parameters = false;
+    bool json = false;
 };
 
 void explain_paths(const Experiment& experiment) {
@@ -39,10 +45,14 @@ void explain_paths(const Experiment& experiment) {
     }
 }
 
+Experiment read(const std::string& file, const CheckOptions& options, Outline* outline) {
+    return read_experiment(file, outline, StartPictures::read, settings_of(options.settings));
+}
+
 // How many warnings there are.
-std::size_t check_file(const std::string& file, bool explain) {
+std::size_t check_file(const std::string& file, const CheckOptions& options) {
     Outline outline;
-    const Experiment experiment = read_experiment(file, &outline);
+    const Experiment experiment = read(file, options, &outline);
     const std::vector<Warning> warnings = lint(experiment, outline, experiment.last_iteration());
     say("{}: ok: {}, {}, {}, {}{}\n", experiment.source, counted(count_cells(experiment), "cell"),
         counted(experiment.chemicals.size(), "chemical"), counted(experiment.rules.size(), "rule"),
@@ -50,19 +60,35 @@ std::size_t check_file(const std::string& file, bool explain) {
         warnings.empty() ? "" : "; " + counted(warnings.size(), "warning"));
     send();  // the warnings come after the line of their file
     print_warnings(experiment, warnings);
-    if (explain) {
+    if (options.explain) {
         for (const std::string& note : change_notes(experiment)) say("  {}\n", note);
         explain_paths(experiment);
     }
     return warnings.size();
 }
 
+void list_parameters(const CheckOptions& options) {
+    nlohmann::ordered_json all = nlohmann::ordered_json::array();
+    for (const std::string& file : options.files) {
+        const Experiment experiment = read(file, options, nullptr);
+        all.push_back(parameters_json(experiment));
+        if (!options.json) say("{}", parameters_text(experiment));
+    }
+    if (options.json) say("{}\n", (all.size() == 1 ? all.front() : all).dump(2));
+}
+
 int check(const CheckOptions& options) {
+    if (options.json && !options.parameters)
+        throw Error("--json belongs to --parameters: `pelage check --parameters --json FILE`");
+    if (options.parameters) {
+        list_parameters(options);
+        return success;
+    }
     int exit_code = success;
     std::size_t warnings = 0;
     for (const std::string& file : options.files) {
         try {
-            warnings += check_file(file, options.explain);
+            warnings += check_file(file, options);
         } catch (const Error& error) {
             say(stderr, "pelage: {}\n", error.what());
             exit_code = bad_input;
@@ -80,6 +106,9 @@ void add_check(CLI::App& app, int& exit_code) {
         ->required()
         ->type_name("");
     command->add_flag("--strict", options->strict, "Exit code 1 where there are warnings");
+    command->add_flag("--parameters", options->parameters, "List the parameters: value, default, range, meaning");
+    command->add_flag("--json", options->json, "The list as JSON");
+    add_settings(*command, options->settings);
     command->add_flag(
         "--explain", options->explain,
         "Say of lattices how a processor carries out their iterations, and why; and what `change` adds in a unit of "

@@ -3,6 +3,7 @@
 
 #include "app/ledger.hpp"
 #include "app/read_experiment.hpp"
+#include "app/settings.hpp"
 #include "core/error.hpp"
 #include "core/seed.hpp"
 #include "core/space.hpp"
@@ -25,8 +26,9 @@ void compare(const Checkpoint& checkpoint, const Experiment& experiment, const R
              std::uint64_t last) {
     const std::string name = options.resume.string();
     if (checkpoint.info.experiment != experiment.text) {
-        throw Error(fmt::format("{} was saved by another experiment ({}) than {}, or that was edited since", name,
-                                checkpoint.info.source, experiment.source));
+        throw Error(
+            fmt::format("{} was saved by another experiment ({}) than {}, or that was edited or --set otherwise since",
+                        name, checkpoint.info.source, experiment.source));
     }
     if (checkpoint.info.precision != options.precision) {
         const bool is_double = checkpoint.info.precision == Precision::double_;
@@ -62,7 +64,8 @@ Prepared prepare(const RunOptions& options) {
     if (!options.resume.empty()) checkpoint = read_checkpoint(options.resume);
     Experiment& experiment = prepared.experiment;
     Outline outline;
-    experiment = read_experiment(options.file, &outline, checkpoint ? StartPictures::left_out : StartPictures::read);
+    experiment = read_experiment(options.file, &outline, checkpoint ? StartPictures::left_out : StartPictures::read,
+                                 settings_of(options.settings));
     if (options.seed) experiment.seed = options.seed;
     settle_seed(experiment, checkpoint ? checkpoint->info.seed : seed_from_clock());
     prepared.last = options.iterations.value_or(experiment.last_iteration());

@@ -24,9 +24,10 @@ std::string text_of_standard_input() {
 
 }  // namespace
 
-Experiment read_experiment(const std::filesystem::path& file, Outline* outline, StartPictures pictures) {
-    if (file != standard_input) return parse_experiment_file(file, outline, pictures);
-    return parse_experiment(text_of_standard_input(), "standard input", ".", outline, pictures);
+Experiment read_experiment(const std::filesystem::path& file, Outline* outline, StartPictures pictures,
+                           const std::vector<Setting>& settings) {
+    if (file != standard_input) return parse_experiment_file(file, outline, pictures, settings);
+    return parse_experiment(text_of_standard_input(), "standard input", ".", outline, pictures, settings);
 }
 
 void print_warnings(const Experiment& experiment, const std::vector<Warning>& warnings) {

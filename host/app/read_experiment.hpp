@@ -16,7 +16,7 @@ inline const std::string standard_input = "-";
 
 // Throws Error as parse_experiment_file() does.
 Experiment read_experiment(const std::filesystem::path&, Outline* outline = nullptr,
-                           StartPictures = StartPictures::read);
+                           StartPictures = StartPictures::read, const std::vector<Setting>& settings = {});
 
 // One line each, to standard error.
 void print_warnings(const Experiment&, const std::vector<Warning>&);

@@ -2,6 +2,7 @@
 #include "app/commands.hpp"
 #include "app/run_options.hpp"
 #include "app/runner.hpp"
+#include "app/settings.hpp"
 #include "app/validators.hpp"
 #include "core/error.hpp"
 #include "io/results.hpp"
@@ -90,6 +91,7 @@ void add_kernel_options(CLI::App& command, RunOptions& options) {
 }
 
 void add_course_options(CLI::App& command, RunOptions& options) {
+    add_settings(command, options.settings);
     command
         .add_option("--iterations", options.iterations,
                     "Iterations to end at, counted from 0, resumed runs too. Default: as the experiment says")

@@ -45,6 +45,7 @@ std::string resume_command(const RunOptions& options, const std::filesystem::pat
     add("--precision", options.precision == Precision::double_ ? "double" : "");
     add("--neighbours", options.neighbours == "bins" ? "" : options.neighbours);
     if (options.sorting.window != SpatialSorting{}.window) add("--window", std::to_string(options.sorting.window));
+    for (const std::string& setting : options.settings) add("--set", setting);
     if (options.iterations) add("--iterations", std::to_string(*options.iterations));
     add("--seed", std::to_string(seed));
     add("--out", options.folder().string());

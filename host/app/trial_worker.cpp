@@ -123,6 +123,9 @@ std::vector<std::string> worker_arguments(const TuningJob& job) {
                                    "--seed",      std::to_string(job.experiment.run_seed()),
                                    "--from",      std::to_string(job.first),
                                    "--until",     std::to_string(job.last)};
+    for (const Parameter& one : job.experiment.parameters) {
+        words.insert(words.end(), {"--set", fmt::format("{}={}", one.name, one.value)});
+    }
     if (job.options.fast) words.emplace_back("--fast");
     if (!job.options.use_cache) words.emplace_back("--no-cache");
     words.emplace_back("--");

@@ -5,6 +5,7 @@
 #include "app/prepare.hpp"
 #include "app/read_experiment.hpp"
 #include "app/say.hpp"
+#include "app/settings.hpp"
 #include "app/tune_table.hpp"
 #include "app/tuning.hpp"
 #include "app/validators.hpp"
@@ -97,6 +98,7 @@ void add_options(CLI::App& command, TuneOptions& options) {
     command.add_option("--seed", options.run.seed, "Seed of all random numbers, instead of the experiment's")
         ->type_name("N")
         ->transform(whole_number(std::numeric_limits<std::int64_t>::min(), std::numeric_limits<std::int64_t>::max()));
+    add_settings(command, options.run.settings);
     command.add_flag("--fast", options.run.fast, "For runs with --fast");
     command.add_flag("--quick", options.quick, "The short search that comes before a long run: 5 seconds");
     command.add_option("--limit", options.limit, "What one candidate may take (default: 20)")

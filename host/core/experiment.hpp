@@ -3,6 +3,7 @@
 #pragma once
 
 #include "core/models.hpp"
+#include "core/parameter.hpp"
 
 #include <array>
 #include <cstddef>
@@ -332,7 +333,8 @@ struct InputFile {       // a picture, an array or a shape that the experiment s
 
 struct Experiment {
     std::string source = "(built by hand)";  // file name, for messages
-    std::string text;                        // the file's whole text, kept with results
+    std::string text;                        // the file's whole text, kept with results, with the parameters as set
+    std::vector<Parameter> parameters;       // for who wants to know: their values stand where they were named
 
     std::vector<Chemical> chemicals;
     std::vector<std::string> mappings;

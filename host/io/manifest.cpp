@@ -59,6 +59,8 @@ nlohmann::ordered_json to_json(const Manifest& manifest, const Experiment& exper
     for (const auto& [key, number] : manifest.more_numbers) json[key] = number;
     for (const auto& [key, count] : manifest.more_counts) json[key] = count;
     json["options"] = options_of(manifest);
+    auto& parameters = json["parameters"] = nlohmann::ordered_json::object();
+    for (const Parameter& one : experiment.parameters) parameters[one.name] = one.value;
     json["inputs"] = inputs_of(experiment);
     auto& phases = json["phases"] = nlohmann::ordered_json::array();
     for (const auto& phase : experiment.phases) phases.push_back(phase.name);

@@ -47,7 +47,8 @@ struct Manifest {
 };
 
 // The JSON object, indented: the fields above by name (precision "float" or "double", started as ISO 8601 in UTC;
-// options by name: a flag true or false, else the value or null), "inputs" [{"file", "sha256" or null}], "experiment"
+// options by name: a flag true or false, else the value or null), "parameters" by name, "inputs" [{"file", "sha256" or
+// null}], "experiment"
 // {"source", "text"} and "phases" [names]. Text that is not UTF-8 is mended.
 std::string manifest_text(const Manifest&, const Experiment&);
 

@@ -25,6 +25,9 @@ std::optional<Integer> to_integer(std::string_view text) {
     return value;
 }
 
+// Beyond it doubles are no longer all whole numbers.
+constexpr double largest_whole = 9007199254740992.0;
+
 bool whole(std::string_view text) {
     text = without_plus(text);
     if (!text.empty() && text[0] == '-') text.remove_prefix(1);
@@ -100,9 +103,20 @@ const Token& Cursor::value(std::string_view what) {
     return next();
 }
 
+const Parameter* Cursor::parameter(const Token& token) const {
+    if (token.quoted) return nullptr;
+    const auto found = std::ranges::find(*parameters_, token.text, &Parameter::name);
+    return found == parameters_->end() ? nullptr : &*found;
+}
+
+std::optional<double> Cursor::number_here() const {
+    if (const Parameter* named = parameter(peek())) return named->value;
+    return peek().quoted ? std::nullopt : to_number(peek().text);
+}
+
 double Cursor::number(std::string_view what, Range range) {
     const std::string kind = kind_of(range);
-    const std::optional<double> value = peek().quoted ? std::nullopt : to_number(peek().text);
+    const std::optional<double> value = number_here();
     if (!value) needs(peek(), peek().quoted ? "is not a number" : number_fault(peek().text), what, kind);
     if (*value < range.low || *value > range.high || (range.above && *value == range.low)) {
         needs(peek(), "is out of range", what, kind);
@@ -114,18 +128,28 @@ double Cursor::number(std::string_view what, Range range) {
     return *value;
 }
 
+// Empty where it does not fit the type.
+template <class Integer>
+std::optional<Integer> Cursor::integer_here(std::string_view what, std::string_view kind) const {
+    if (const Parameter* named = parameter(peek())) {
+        if (std::floor(named->value) != named->value) needs(peek(), "is not a whole number", what, kind);
+        if (std::fabs(named->value) > largest_whole) needs(peek(), "is too large to be exact", what, kind);
+        return to_integer<Integer>(fmt::format("{:.0f}", named->value));
+    }
+    if (peek().quoted || !whole(peek().text)) needs(peek(), "is not a whole number", what, kind);
+    return to_integer<Integer>(peek().text);
+}
+
 std::uint64_t Cursor::integer(std::string_view what, std::uint64_t low, std::uint64_t high) {
     const std::string kind = fmt::format("a whole number from {} to {}", low, high);
-    if (peek().quoted || !whole(peek().text)) needs(peek(), "is not a whole number", what, kind);
-    const std::optional<std::uint64_t> value = to_integer<std::uint64_t>(peek().text);
+    const auto value = integer_here<std::uint64_t>(what, kind);
     if (!value || *value < low || *value > high) needs(peek(), "is out of range", what, kind);
     next();
     return *value;
 }
 
 std::int64_t Cursor::signed_integer(std::string_view what) {
-    if (peek().quoted || !whole(peek().text)) needs(peek(), "is not a whole number", what, "a whole number");
-    const std::optional<std::int64_t> value = to_integer<std::int64_t>(peek().text);
+    const auto value = integer_here<std::int64_t>(what, "a whole number");
     if (!value) needs(peek(), "is out of range", what, "a whole number of 64 bits");
     next();
     return *value;
@@ -148,7 +172,22 @@ void Cursor::unknown(const Token& at, Words allowed, std::string_view end) const
 
 void Cursor::needs(const Token& at, std::string_view found, std::string_view what, std::string_view kind) const {
     if (&at == &tokens_.back()) fail(at, fmt::format("the line ends too early; {} must be {}", what, kind));
-    fail(at, fmt::format("{} {}; {} must be {}", shown(at), found, what, kind));
+    fail(at, fmt::format("{} {}; {} must be {}{}", described(at), found, what, kind, meant(at)));
+}
+
+// With the value of a parameter.
+std::string Cursor::described(const Token& token) const {
+    const Parameter* named = parameter(token);
+    if (named == nullptr) return shown(token);
+    return fmt::format("parameter {} of line {} is {:g}, which", shown(token), named->line, named->value);
+}
+
+// The parameter that a mistyped word may mean.
+std::string Cursor::meant(const Token& token) const {
+    if (token.quoted || parameter(token) != nullptr || to_number(token.text)) return "";
+    std::vector<std::string_view> names;
+    for (const Parameter& one : *parameters_) names.push_back(one.name);
+    return suggestion(token.text, names);
 }
 
 Place Cursor::place(const Token& token) const {

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "core/error.hpp"
+#include "core/parameter.hpp"
 #include "language/words.hpp"
 
 #include <cstddef>
@@ -44,8 +45,8 @@ std::optional<double> to_number(std::string_view text);
 class Cursor {
 public:
     // Splits the line at spaces and tabs; "//" starts a comment. Throws Error for control characters, for bytes
-    // above 127 outside quotes and for a quote that is not closed.
-    Cursor(std::string_view source, std::size_t line, std::string_view text);
+    // above 127 outside quotes and for a quote that is not closed. Names of `parameters` stand for numbers.
+    Cursor(std::string_view source, std::size_t line, std::string_view text, const std::vector<Parameter>& parameters);
 
     // The text between a token's quotes, a comma being a word of its own.
     Cursor inside(const Token& quoted) const;
@@ -63,7 +64,8 @@ public:
     double number(std::string_view what, Range = any_number);
     std::uint64_t integer(std::string_view what, std::uint64_t low, std::uint64_t high);
     std::int64_t signed_integer(std::string_view what);
-    const Token& text(std::string_view what);  // in quotes, not empty
+    const Parameter* parameter(const Token&) const;  // that it names; null: none
+    const Token& text(std::string_view what);        // in quotes, not empty
 
     [[noreturn]] void fail(const Token& at, std::string_view text) const;
     [[noreturn]] void unknown(const Token& at, Words allowed, std::string_view end = "") const;
@@ -73,8 +75,13 @@ public:
     static std::string shown(const Token&);  // as it stands in messages, with its quotes
 
 private:
-    Cursor(std::string_view source, std::size_t line, std::string_view text, std::size_t from, std::size_t to,
-           bool commas);
+    Cursor(std::string_view source, std::size_t line, std::string_view text, const std::vector<Parameter>* parameters,
+           std::size_t from, std::size_t to, bool commas);
+    std::optional<double> number_here() const;
+    template <class Integer>
+    std::optional<Integer> integer_here(std::string_view what, std::string_view kind) const;
+    std::string described(const Token&) const;
+    std::string meant(const Token&) const;
     void split(std::size_t from, std::size_t to, bool commas);
     std::size_t split_quoted(std::size_t at, std::size_t to);
     void check_byte(std::size_t at, bool ascii) const;
@@ -84,6 +91,7 @@ private:
     std::string_view source_;
     std::size_t line_;
     std::string_view text_;
+    const std::vector<Parameter>* parameters_;
     std::vector<Token> tokens_;  // the last one marks the end of the line
     std::size_t next_ = 0;
 };

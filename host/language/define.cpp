@@ -1,4 +1,4 @@
-// define chemical | division_limit | domain | time_step | stencil
+// define chemical | parameter | division_limit | domain | time_step | stencil
 #include "io/field.hpp"
 #include "io/file_bytes.hpp"
 #include "io/sha256.hpp"
@@ -115,6 +115,8 @@ void parse_chemical(Script& script, Cursor& cursor) {
     if (script.find_chemical(name.text)) cursor.fail(name, fmt::format("chemical '{}' is defined already", name.text));
     if (script.find_mapping(name.text))
         cursor.fail(name, fmt::format("'{}' is a mapping; choose another name", name.text));
+    if (cursor.parameter(name) != nullptr)
+        cursor.fail(name, fmt::format("'{}' is a parameter; choose another name", name.text));
     auto& chemicals = script.experiment.chemicals;
     if (chemicals.size() == largest_chemical_count) {
         cursor.fail(name, fmt::format("one chemical too many; at most {} are allowed", largest_chemical_count));
@@ -165,8 +167,8 @@ void parse_time_step(Script& script, Cursor& cursor) {
 }  // namespace
 
 void parse_define(Script& script, Cursor& cursor) {
-    static constexpr std::array<std::string_view, 5> words{"chemical", "time_step", "division_limit", "domain",
-                                                           "stencil"};
+    static constexpr std::array<std::string_view, 6> words{"chemical", "time_step", "division_limit",
+                                                           "domain",   "stencil",   "parameter"};
     const Token& word = cursor.peek();
     const std::size_t what = cursor.choose(words);
     const bool in_phases = word.text == "chemical" || word.text == "time_step";
@@ -181,8 +183,10 @@ void parse_define(Script& script, Cursor& cursor) {
             return;
         case 3:
             return parse_domain(script, cursor);
-        default:
+        case 4:
             return parse_stencil(script, cursor, word);
+        default:
+            return parse_parameter(script, cursor);
     }
 }
 

@@ -33,6 +33,7 @@ Experiment Script::finish() {
     auto& snaps = experiment.snap_at;
     std::sort(snaps.begin(), snaps.end());
     snaps.erase(std::unique(snaps.begin(), snaps.end()), snaps.end());
+    check_settings();
     check_contents();
     check_arrangement();
     check_pictures();
@@ -41,6 +42,7 @@ Experiment Script::finish() {
     check_starts();
     finish_outputs();
     validate(experiment);
+    set_in_text();
     return std::move(experiment);
 }
 

@@ -28,7 +28,7 @@ constexpr std::array lints{
     Entry{"outside", find_cells_outside},          Entry{"odd-start", find_odd_starts},
     Entry{"no-shape", find_shapes_that_are_none},  Entry{"unused-chemical", find_unused_chemicals},
     Entry{"unused-mapping", find_unused_mappings}, Entry{"unused-colour", find_unused_colours},
-    Entry{"equal-outputs", find_equal_outputs}};
+    Entry{"equal-outputs", find_equal_outputs},    Entry{"unused-parameter", find_unused_parameters}};
 
 std::vector<std::string_view> lines_of(std::string_view text) {
     std::vector<std::string_view> lines;
@@ -48,7 +48,9 @@ std::vector<std::string_view> lines_of(std::string_view text) {
 Sheet::Sheet(const Experiment& experiment_, const Outline& outline_, std::uint64_t last_)
     : experiment(experiment_), outline(outline_), last(last_), lines_(lines_of(experiment_.text)) {}
 
-Cursor Sheet::read(std::size_t line) const { return {experiment.source, line, lines_[line - 1]}; }
+Cursor Sheet::read(std::size_t line) const {
+    return {experiment.source, line, lines_[line - 1], experiment.parameters};
+}
 
 Place Sheet::place(std::size_t line, std::string_view word) const {
     Cursor words = read(line);

@@ -136,4 +136,22 @@ void find_equal_outputs(const Sheet& sheet, Reporter& report) {
     }
 }
 
+void find_unused_parameters(const Sheet& sheet, Reporter& report) {
+    const auto names = [&](const Outline::Statement& statement, const Parameter& parameter) {
+        Cursor words = sheet.read(statement.line);
+        bool found = false;
+        while (!found && !words.done()) {
+            const Token& token = words.next();
+            found =
+                token.quoted ? token.text.find(parameter.name) != std::string_view::npos : token.text == parameter.name;
+        }
+        return found && statement.line != parameter.line;
+    };
+    for (const Parameter& one : sheet.experiment.parameters) {
+        const auto uses = [&](const Outline::Statement& statement) { return names(statement, one); };
+        if (std::ranges::any_of(sheet.outline.statements, uses)) continue;
+        report(sheet.place(one.line, one.name), fmt::format("nothing takes its number from parameter '{}'", one.name));
+    }
+}
+
 }  // namespace pelage::language

@@ -63,6 +63,7 @@ void find_unused_chemicals(const Sheet&, Reporter&);
 void find_unused_mappings(const Sheet&, Reporter&);
 void find_unused_colours(const Sheet&, Reporter&);
 void find_equal_outputs(const Sheet&, Reporter&);
+void find_unused_parameters(const Sheet&, Reporter&);
 
 // Which values the condition's operands can have at all between two iterations, when these can never fulfil it; empty
 // when they can: interval.cpp.

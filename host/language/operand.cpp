@@ -43,6 +43,7 @@ bool needs_lattice(Quantity quantity) {
 [[noreturn]] void unknown_operand(const Script& script, const Cursor& cursor, std::string_view what) {
     const Token& token = cursor.peek();
     std::vector<std::string_view> allowed{"a number"};
+    for (const Parameter& one : script.experiment.parameters) allowed.push_back(one.name);
     for (const Word& word : words) allowed.push_back(word.text);
     const std::string named = listed(script.chemical_names());
     const std::string chemicals = fmt::format("conc or diff of a chemical ({})", named);
@@ -85,7 +86,7 @@ Operand parse_operand(Script& script, Cursor& cursor, std::string_view what) {
         cursor.next();
         return {Quantity::mapping, 0.0, *mapping};
     }
-    if (!numeric(token.text)) unknown_operand(script, cursor, what);
+    if (!numeric(token.text) && cursor.parameter(token) == nullptr) unknown_operand(script, cursor, what);
     return Operand::number(cursor.number(what));
 }
 

@@ -38,7 +38,7 @@ void parse_line(Script& script, std::size_t number, std::string_view line, Outli
         throw error_at(script.experiment.source, {number, 1},
                        fmt::format("the line has {} bytes; at most {} are allowed", line.size(), largest_line));
     }
-    Cursor cursor(script.experiment.source, number, line);
+    Cursor cursor(script.experiment.source, number, line, script.experiment.parameters);
     if (cursor.done()) return;
     Cursor again = cursor;
     statement_parsers[cursor.choose(statement_words)](script, cursor);
@@ -71,9 +71,10 @@ std::string read_text(const std::filesystem::path& path) {
 }  // namespace
 
 Experiment parse_experiment(const std::string& text, const std::string& source_name,
-                            const std::filesystem::path& folder, Outline* outline, StartPictures pictures) {
+                            const std::filesystem::path& folder, Outline* outline, StartPictures pictures,
+                            const std::vector<Setting>& settings) {
     check_size(source_name, text.size());
-    Script script(text, source_name, folder, pictures);
+    Script script(text, source_name, folder, pictures, settings);
     std::string_view rest = text;
     if (rest.starts_with("\xef\xbb\xbf")) rest.remove_prefix(3);  // byte order mark of UTF-8
     for (std::size_t number = 1; !rest.empty(); ++number) {
@@ -86,8 +87,9 @@ Experiment parse_experiment(const std::string& text, const std::string& source_n
     return script.finish();
 }
 
-Experiment parse_experiment_file(const std::filesystem::path& path, Outline* outline, StartPictures pictures) {
-    return parse_experiment(read_text(path), path.string(), path.parent_path(), outline, pictures);
+Experiment parse_experiment_file(const std::filesystem::path& path, Outline* outline, StartPictures pictures,
+                                 const std::vector<Setting>& settings) {
+    return parse_experiment(read_text(path), path.string(), path.parent_path(), outline, pictures, settings);
 }
 
 }  // namespace pelage

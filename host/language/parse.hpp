@@ -21,12 +21,14 @@ enum class StartPictures { read, left_out };
 
 // Parses and validates. `source_name` stands in messages; names of pictures and shapes that are not absolute are
 // looked for in `folder`. Throws Error "SOURCE:LINE:COLUMN: what was found; what is allowed", columns counted in
-// characters from 1. `outline` is told where everything stands; lint.hpp makes warnings of it.
+// characters from 1. `settings` are values for parameters that the text defines, and enter Experiment::text. `outline`
+// is told where everything stands; lint.hpp makes warnings of it.
 Experiment parse_experiment(const std::string& text, const std::string& source_name,
                             const std::filesystem::path& folder, Outline* outline = nullptr,
-                            StartPictures = StartPictures::read);
+                            StartPictures = StartPictures::read, const std::vector<Setting>& settings = {});
 
 // The same from a file; pictures and shapes are looked for beside it.
-Experiment parse_experiment_file(const std::filesystem::path&, Outline* = nullptr, StartPictures = StartPictures::read);
+Experiment parse_experiment_file(const std::filesystem::path&, Outline* = nullptr, StartPictures = StartPictures::read,
+                                 const std::vector<Setting>& settings = {});
 
 }  // namespace pelage

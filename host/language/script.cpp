@@ -24,8 +24,9 @@ std::optional<std::size_t> find(const std::vector<Named>& all, std::string_view 
 
 }  // namespace
 
-Script::Script(const std::string& text, const std::string& source, std::filesystem::path folder, StartPictures pictures)
-    : folder_(std::move(folder)), start_pictures_(pictures) {
+Script::Script(const std::string& text, const std::string& source, std::filesystem::path folder, StartPictures pictures,
+               const std::vector<Setting>& settings)
+    : folder_(std::move(folder)), start_pictures_(pictures), settings_(settings), settings_used_(settings.size()) {
     experiment.text = text;
     experiment.source = source;
 }
@@ -54,6 +55,41 @@ std::size_t Script::chemical(Cursor& cursor) const {
     }
     cursor.fail(token, fmt::format("unknown chemical {}; {}{}", Cursor::shown(token), chemicals_defined(),
                                    suggestion(token.text, chemical_names())));
+}
+
+const Setting* Script::setting(std::string_view name) {
+    const Setting* last = nullptr;
+    for (std::size_t i = 0; i < settings_.size(); ++i) {
+        if (settings_[i].name != name) continue;
+        settings_used_[i] = true;
+        last = &settings_[i];
+    }
+    return last;
+}
+
+void Script::replaces(const Token& token, const std::string& written) {
+    replaced_.push_back({line_, token.offset, token.text.size(), written});
+}
+
+void Script::check_settings() const {
+    for (std::size_t i = 0; i < settings_.size(); ++i) {
+        if (settings_used_[i]) continue;
+        std::vector<std::string_view> names;
+        for (const Parameter& one : experiment.parameters) names.push_back(one.name);
+        throw Error(fmt::format("--set {}={}: {} defines no parameter of that name; {}{}", shortened(settings_[i].name),
+                                shortened(settings_[i].value), experiment.source,
+                                names.empty() ? "it defines none" : "defined there: " + listed(names),
+                                suggestion(settings_[i].name, names)));
+    }
+}
+
+// From the last to the first, so that no place moves.
+void Script::set_in_text() {
+    for (auto one = replaced_.rbegin(); one != replaced_.rend(); ++one) {
+        std::size_t begin = experiment.text.starts_with("\xef\xbb\xbf") ? 3 : 0;
+        for (std::size_t line = 1; line < one->line; ++line) begin = experiment.text.find('\n', begin) + 1;
+        experiment.text.replace(begin + one->offset, one->length, one->by);
+    }
 }
 
 std::filesystem::path Script::resolve(std::string_view file_name) const {

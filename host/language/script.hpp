@@ -47,9 +47,17 @@ struct StartPlace {  // of the values a statement gives
     Place diff;
 };
 
+struct Replaced {  // a part of the text by another
+    std::size_t line = 0;
+    std::size_t offset = 0;  // in the line, in bytes
+    std::size_t length = 0;
+    std::string by;
+};
+
 class Script {
 public:
-    Script(const std::string& text, const std::string& source, std::filesystem::path folder, StartPictures);
+    Script(const std::string& text, const std::string& source, std::filesystem::path folder, StartPictures,
+           const std::vector<Setting>& settings);
 
     Experiment experiment;
 
@@ -62,6 +70,10 @@ public:
 
     std::filesystem::path resolve(std::string_view file_name) const;
     StartPictures pictures() const { return start_pictures_; }
+
+    // ---- parameters
+    const Setting* setting(std::string_view name);            // from outside; null: none
+    void replaces(const Token&, const std::string& written);  // a number of the line at hand, in Experiment::text
 
     // ---- cells
     std::size_t cells() const { return cells_; }
@@ -108,6 +120,8 @@ private:
     void check_maps() const;
     void check_growth() const;
     void finish_outputs();
+    void check_settings() const;
+    void set_in_text();
 
     std::filesystem::path folder_;
     StartPictures start_pictures_;
@@ -123,6 +137,9 @@ private:
     std::vector<StartPlace> starts_;  // of each statement of the prepattern
     std::optional<Demand> draws_map_;
     std::size_t line_ = 0;  // the last one
+    std::vector<Setting> settings_;
+    std::vector<bool> settings_used_;
+    std::vector<Replaced> replaced_;
 };
 
 }  // namespace pelage::language

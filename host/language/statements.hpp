@@ -9,18 +9,19 @@
 
 namespace pelage::language {
 
-void parse_define(Script&, Cursor&);    // define.cpp
-void parse_use(Script&, Cursor&);       // use.cpp
-void parse_create(Script&, Cursor&);    // create.cpp
-void parse_set(Script&, Cursor&);       // set.cpp
-void parse_rule(Script&, Cursor&);      // rule.cpp
-void parse_phase(Script&, Cursor&);     // run.cpp
-void parse_snap(Script&, Cursor&);      // run.cpp
-void parse_stop(Script&, Cursor&);      // run.cpp
-void parse_colormap(Script&, Cursor&);  // output.cpp
-void parse_output(Script&, Cursor&);    // output.cpp
-void parse_texture(Script&, Cursor&);   // output.cpp
-void parse_zoom(Script&, Cursor&);      // output.cpp
+void parse_define(Script&, Cursor&);     // define.cpp
+void parse_parameter(Script&, Cursor&);  // parameters.cpp: what follows `define parameter`
+void parse_use(Script&, Cursor&);        // use.cpp
+void parse_create(Script&, Cursor&);     // create.cpp
+void parse_set(Script&, Cursor&);        // set.cpp
+void parse_rule(Script&, Cursor&);       // rule.cpp
+void parse_phase(Script&, Cursor&);      // run.cpp
+void parse_snap(Script&, Cursor&);       // run.cpp
+void parse_stop(Script&, Cursor&);       // run.cpp
+void parse_colormap(Script&, Cursor&);   // output.cpp
+void parse_output(Script&, Cursor&);     // output.cpp
+void parse_texture(Script&, Cursor&);    // output.cpp
+void parse_zoom(Script&, Cursor&);       // output.cpp
 
 // ---- pieces that several statements share
 

@@ -13,6 +13,7 @@ std::string random_experiment(std::uint64_t seed, const RandomLimits& limits) {
     draw_world(draft);
     draw_course(draft);
     draw_pictures(draft);
+    name_numbers(draft);
     return draft.text;
 }
 

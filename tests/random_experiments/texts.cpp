@@ -57,7 +57,7 @@ const char* const keywords_in_order =
     "anisotropic area at bicubic bilinear by cell cells change channel chemical color colormap columns conc "
     "create define dev diff direction distribution divide division_limit domain each every exit expand first "
     "five-point fixed floor from gradient gray heat height hex_circle hex_grid if in inferno level limit linear "
-    "magma map matrix moore move nearest nine-point no-flux none normal offset output packed phase polarity "
+    "magma map matrix moore move nearest nine-point no-flux none normal offset output packed parameter phase polarity "
     "polarize probability range react repeat rgb rows rule scale seed select set shape shuffled sims size slot "
     "snap sqr_circle sqr_grid stencil step stop striped texture then time_step to triangular uniform until use "
     "viridis weight width wrap zoom ";
