@@ -5,7 +5,15 @@
 
 #include <catch2/catch.hpp>
 
+#include <vector>
+
 using namespace pelage::language;
+
+namespace {
+
+const std::vector<pelage::Parameter> no_parameters;
+
+}  // namespace
 
 TEST_CASE("the nearest word is suggested, and none when none is near") {
     const std::string_view words[] = {"chemical", "time_step", "division_limit", "domain", "stencil"};
@@ -52,7 +60,7 @@ TEST_CASE("numbers are decimal, finite and within float") {
 }
 
 TEST_CASE("a line is split at blanks, quotes and comments") {
-    Cursor cursor("t.pex", 3, " a\t\"b // c\"d\"\"//e");
+    Cursor cursor("t.pex", 3, " a\t\"b // c\"d\"\"//e", no_parameters);
 
     CHECK(cursor.peek().text == "a");
     CHECK(cursor.place(cursor.next()).column == 2);
@@ -68,7 +76,7 @@ TEST_CASE("a line is split at blanks, quotes and comments") {
 }
 
 TEST_CASE("columns count characters, not bytes") {
-    Cursor cursor("t.pex", 1, "\"\xc3\xa9\xe2\x82\xac\" next");
+    Cursor cursor("t.pex", 1, "\"\xc3\xa9\xe2\x82\xac\" next", no_parameters);
 
     cursor.next();
 

@@ -219,16 +219,16 @@ bool changes(const CellsWritten& written, CellArray array) {
     }
 }
 
-std::vector<Parameter> cells_parameters(const Experiment& experiment, const Phase& phase, Precision precision) {
+std::vector<KernelNumber> cells_parameters(const Experiment& experiment, const Phase& phase, Precision precision) {
     const auto seed = static_cast<std::uint64_t>(experiment.run_seed());
-    std::vector<Parameter> values(bounds_place, 0.0);
+    std::vector<KernelNumber> values(bounds_place, 0.0);
     values[seed_low_place] = static_cast<std::uint32_t>(seed);
     values[seed_high_place] = static_cast<std::uint32_t>(seed >> 32);
     values[dt_place] = phase.time_step;
     values[division_limit_place] =
         static_cast<std::uint32_t>(std::min<std::size_t>(experiment.division_limit, largest_cell_count));
     for (const Bounds& bounds : phase.bounds) values.insert(values.end(), {bounds.floor, bounds.limit});
-    const std::vector<Parameter> of_rules = rule_parameters(experiment, precision);
+    const std::vector<KernelNumber> of_rules = rule_parameters(experiment, precision);
     values.insert(values.end(), of_rules.begin(), of_rules.end());
     return values;
 }

@@ -41,7 +41,7 @@ struct CellsSource {
 };
 
 // What a step reads from its buffer of parameters: the seed, the phase's time step and bounds, the numbers of rules.
-std::vector<Parameter> cells_parameters(const Experiment&, const Phase&, Precision);
+std::vector<KernelNumber> cells_parameters(const Experiment&, const Phase&, Precision);
 
 enum class CellsForm { alone, together };  // one iteration a launch; many of a small tissue
 

@@ -29,10 +29,10 @@ namespace {
 
 // In the order of LatticeParameter.
 template <class T>
-std::vector<Parameter> phase_parameters(const Experiment& experiment, const LatticePlan& plan,
-                                        const LatticeState& state, const Phase& phase) {
+std::vector<KernelNumber> phase_parameters(const Experiment& experiment, const LatticePlan& plan,
+                                           const LatticeState& state, const Phase& phase) {
     const T dt = in_precision<T>(phase.time_step);
-    std::vector<Parameter> values(parameter_place(experiment.chemicals.size(), LatticeParameter::floor), double{dt});
+    std::vector<KernelNumber> values(parameter_place(experiment.chemicals.size(), LatticeParameter::floor), double{dt});
     for (std::size_t i = 0; i < experiment.chemicals.size(); ++i) {
         const auto put = [&](LatticeParameter what, T value) { values[parameter_place(i, what)] = double{value}; };
         const T rate = in_precision<T>(state.uniform_rate(i));
@@ -211,7 +211,7 @@ private:
 
     void upload_parameters(const Phase& phase) {
         const Precision precision = session_->options().precision;
-        std::vector<Parameter> values;
+        std::vector<KernelNumber> values;
         if (session_->is_double()) {
             values = phase_parameters<double>(experiment(), plan_, *state_, phase);
         } else {
@@ -240,7 +240,7 @@ private:
     std::vector<std::string> notes_;
     std::string latest_note_;
     cl::Buffer parameters_;
-    std::vector<Parameter> rule_parameters_;
+    std::vector<KernelNumber> rule_parameters_;
     std::vector<std::uint32_t> parameter_words_;      // what the buffer holds
     mutable std::optional<LatticeNonFinite> finder_;  // made when first needed
 };

@@ -287,7 +287,7 @@ RuleText emit_rules(const Experiment& experiment, const std::vector<bool>& activ
     return text;
 }
 
-std::vector<Parameter> rule_parameters(const Experiment& experiment, Precision precision) {
+std::vector<KernelNumber> rule_parameters(const Experiment& experiment, Precision precision) {
     return emit_rules(experiment, std::vector<bool>(experiment.rules.size()), precision).numbers.values();
 }
 

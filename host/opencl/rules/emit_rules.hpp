@@ -60,7 +60,7 @@ struct RuleText {
 RuleText emit_rules(const Experiment&, const std::vector<bool>& active, Precision, bool test_intervals = false);
 
 // The numbers of the rules alone.
-std::vector<Parameter> rule_parameters(const Experiment&, Precision);
+std::vector<KernelNumber> rule_parameters(const Experiment&, Precision);
 
 // A number as written in OpenCL C, exactly: "R(0x1.8p+0f)".
 std::string emit_number(double value, Precision);

@@ -12,7 +12,7 @@ namespace pelage {
 std::string Numbers::real(double value) { return named('k', value); }
 std::string Numbers::word(std::uint32_t value) { return named('u', value); }
 
-std::string Numbers::named(char kind, Parameter value) {
+std::string Numbers::named(char kind, KernelNumber value) {
     const std::size_t place = values_.size();
     values_.push_back(value);
     if (declare_) names_.push_back({kind, place});
@@ -29,13 +29,13 @@ std::string Numbers::declarations(std::size_t first) const {
     return text;
 }
 
-std::vector<std::uint32_t> parameter_words(const std::vector<Parameter>& values, Precision precision) {
+std::vector<std::uint32_t> parameter_words(const std::vector<KernelNumber>& values, Precision precision) {
     std::vector<std::uint32_t> words;
     const auto add = [&](std::uint64_t bits) {
         words.push_back(static_cast<std::uint32_t>(bits));
         if (precision == Precision::double_) words.push_back(static_cast<std::uint32_t>(bits >> 32));
     };
-    for (const Parameter& value : values) {
+    for (const KernelNumber& value : values) {
         if (const auto* word = std::get_if<std::uint32_t>(&value)) {
             add(*word);
         } else if (precision == Precision::double_) {

@@ -12,7 +12,7 @@
 
 namespace pelage {
 
-using Parameter = std::variant<double, std::uint32_t>;  // a real number, or a whole one of 32 bits
+using KernelNumber = std::variant<double, std::uint32_t>;  // a real number, or a whole one of 32 bits
 
 // The numbers of rules, in the order in which they are asked for: it must not depend on which rules act.
 class Numbers {
@@ -26,21 +26,21 @@ public:
     std::string declarations(std::size_t first) const;
     std::size_t declared() const { return names_.size(); }
 
-    const std::vector<Parameter>& values() const { return values_; }
+    const std::vector<KernelNumber>& values() const { return values_; }
 
 private:
     struct Name {
         char kind;  // 'k' or 'u'
         std::size_t place;
     };
-    std::string named(char kind, Parameter);
+    std::string named(char kind, KernelNumber);
 
-    std::vector<Parameter> values_;
+    std::vector<KernelNumber> values_;
     std::vector<Name> names_;
     bool declare_ = true;
 };
 
 // How the buffer holds them: 4 bytes each in single precision, 8 in double. Real numbers are rounded to the precision.
-std::vector<std::uint32_t> parameter_words(const std::vector<Parameter>&, Precision);
+std::vector<std::uint32_t> parameter_words(const std::vector<KernelNumber>&, Precision);
 
 }  // namespace pelage
