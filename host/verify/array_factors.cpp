@@ -88,9 +88,9 @@ constexpr std::array exclusions{
     // Lattices of many cells are few and plain, or they would take long.
     Exclusion{"sizes", "|many|", "chemicals", "|twenty|"},
     Exclusion{"sizes", "|many|", "growth", "!|none|"},
-    // A program for the rules that act now: more sets of them would be more programs.
-    Exclusion{"intervals", "|compiled|", "when", "|every|offset|"},
-    Exclusion{"intervals", "|compiled|", "path", "|streamed|tiled|"},  // the longest; hand-made cases have it so
+    // Where no rule comes or goes there is one program for those that act, and many iterations are one launch.
+    Exclusion{"intervals", "|compiled|", "when", "!|always|"},
+    Exclusion{"intervals", "|compiled|", "phases", "|three|"},  // so that rules of phases meet all settings
     // Rates that nothing changes are kept as means of neighbours.
     Exclusion{"rates", "|uneven|directed|", "action", "|change diff|set diff|"},
     Exclusion{"rates", "|directed|", "action", "|polarize|"},
@@ -111,8 +111,7 @@ constexpr std::array exclusions{
     Exclusion{"action", "|divide|", "when", "|always|"},
 };
 
-// Left out of pairs: these programs are the longest to compile, and the parts that they are made of are in others. For
-// sets of rules that are compiled each there are hand-made cases.
+// Left out of pairs: these programs are the longest to compile, and the parts that they are made of are in others.
 constexpr std::array left_to_triples{
     Exclusion{"action", "!|change conc|change diff|set conc|set diff|map|polarize|divide|move|", "amount",
               "!|nothing|number|conc|mapping|ITERATION|RANDOM|"},
@@ -123,7 +122,6 @@ constexpr std::array left_to_triples{
     Exclusion{"path", "|streamed|tiled|", "chemicals", "|twenty|"},
     Exclusion{"path", "|streamed|tiled|", "precision", "|double|"},
     Exclusion{"search", "|bins|sorting|", "precision", "|double|"},
-    Exclusion{"start", "|0|65530|4294967200|", "intervals", "|compiled|"},
     Exclusion{"search", "|bins|sorting|", "width", "|other|"},
     Exclusion{"search", "|bins|sorting|", "condition", "|!=|<=|>|>=|"},
     Exclusion{"search", "|bins|sorting|", "against", "|other|"},

@@ -187,7 +187,10 @@ std::vector<Size> generated_sizes(const GeneratedWorld& made, Realm realm) {
     const auto turn = [&](std::initializer_list<Size> sizes) { return sizes.begin()[made.number % sizes.size()]; };
     if (realm == Realm::cells) {
         if (world["sizes"] == "tissue") return {{13, 11}};
-        return {turn({{7, 0}, {1, 0}, {2, 0}}), turn({{5, 3}, {4, 4}, {17, 1}, {11, 3}})};
+        // One cell or two have no mirrors and no uneven rates: a program of their own.
+        const bool plain = world["mirrors"] == "none" && world["rates"] == "uniform";
+        const Size smallest = plain ? turn({{7, 0}, {1, 0}, {2, 0}}) : Size{7, 0};
+        return {smallest, turn({{5, 3}, {4, 4}, {17, 1}, {11, 3}})};
     }
     if (world["sizes"] == "many") return {{9, 4}, world["cut"] == "small" ? Size{520, 131} : Size{311, 223}};
     return {turn({{1, 37}, {1, 1}, {41, 1}, {2, 3}}), turn({{15, 6}, {16, 7}, {17, 15}, {33, 2}, {7, 5}}),

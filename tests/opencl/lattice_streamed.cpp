@@ -17,17 +17,8 @@ OpenclOptions streamed(std::size_t width = 0) {
     return made;
 }
 
-// Bands so narrow that the larger sizes have several with margins, and the smaller ones one without.
-OpenclOptions banded() {
-    OpenclOptions made = streamed();
-    made.cut.columns = 32;
-    return made;
-}
-
 }  // namespace
 
-TEST_CASE("streamed: diffusion") { check_cases("diffusion/", banded(), {1, 3}); }
-TEST_CASE("streamed: every reaction") { check_cases("reaction/", banded()); }
 TEST_CASE("streamed: a reaction may read a chemical that nothing changes") {
     Lab lab = Lab::matrix(61, 37, Boundary::wrap);
     const std::size_t u = lab.chemical("U", {0.5, 0.5}, {0.2, 0}, unbounded);
@@ -38,18 +29,6 @@ TEST_CASE("streamed: a reaction may read a chemical that nothing changes") {
     require_equal(run(*reference_backend(Precision::single_), experiment, {40}),
                   run(*opencl_backend(streamed()), experiment, {40}));
 }
-TEST_CASE("streamed: polarized cells") {
-    check_cases("rates/polarized/nine-point", banded());
-    check_cases("rates/polarized/five-point/no-flux", banded());
-    check_cases("rates/polarized/published", banded());
-}
-TEST_CASE("streamed: uneven rates") { check_cases("rates/uneven", banded(), {0, 2}); }
-TEST_CASE("streamed: rules") { check_cases("rules/", banded(), {2, 3}); }
-TEST_CASE("streamed: growth") {
-    check_cases("growth/no-flux", banded());
-    check_cases("growth/plain", banded());
-}
-
 TEST_CASE("streamed: several bands and strips, odd remainders") {
     const auto device = opencl_backend(streamed());
     const auto reference = reference_backend(Precision::single_);

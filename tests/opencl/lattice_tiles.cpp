@@ -20,26 +20,6 @@ OpenclOptions tiled(LatticeCut cut = {}, std::size_t width = 0) {
 
 }  // namespace
 
-TEST_CASE("tiled: diffusion with every boundary") {
-    check_cases("diffusion/nine-point", tiled());
-    check_cases("diffusion/published", tiled());
-}
-TEST_CASE("tiled: every reaction, one cell a work-item") { check_cases("reaction/", tiled({4, 16, 8, 16}, 1)); }
-TEST_CASE("tiled: polarized cells and uneven rates") {
-    check_cases("rates/polarized/nine-point/no-flux", tiled());
-    check_cases("rates/polarized/published", tiled({3, 8, 8, 8}, 1));
-    check_cases("rates/uneven/nine-point/wrap", tiled());
-}
-TEST_CASE("tiled: rules") {
-    check_cases("rules/quantities/fused", tiled());
-    check_cases("rules/draws", tiled());
-    check_cases("rules/phases/published", tiled());
-}
-TEST_CASE("tiled: growth") {
-    check_cases("growth/no-flux", tiled());
-    check_cases("growth/plain", tiled({2, 8, 8, 4}, 1));
-}
-
 TEST_CASE("tiled: every shape gives the same bits") {
     struct Shape {
         LatticeCut cut;
