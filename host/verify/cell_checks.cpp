@@ -21,7 +21,8 @@ constexpr std::uint64_t iterations = 40;
 constexpr std::uint64_t stride = 8;
 constexpr std::uint64_t small_iterations = 3;
 // Others are left to the generated ones.
-constexpr std::array<std::string_view, 2> quick_cases{"cells/at-one-place", "cells/divide-in-several-ways"};
+constexpr std::array<std::string_view, 4> quick_cases{"cells/turing", "cells/at-one-place",
+                                                      "cells/divide-in-several-ways", "cells/divide-while-polarized"};
 
 bool quick(const std::string& name) {
     return std::ranges::find(quick_cases, std::string_view(name)) != quick_cases.end();

@@ -53,13 +53,15 @@ kernel __attribute__((reqd_work_group_size(PELAGE_GROUP, 1, 1))) void pelage_lat
     const int tall = high - low + 2 * steps;
     const int down = PELAGE_GROUP / vectors;
     const int along = PELAGE_GROUP - down * vectors;
+    const int first_row = lane / vectors;
+    const int first_column = lane - first_row * vectors;
     const int all_rows_there = base >= 0 && base + tall <= rows;
 #if PELAGE_WIDTH > 1
     // Vectors reach past their rows; nothing of what is cleared here reaches the lattice, it only must be a number.
     for (int i = lane; i < SCRATCH_SIZE; i += PELAGE_GROUP) scratch[i] = 0;
     barrier(CLK_LOCAL_MEM_FENCE);
 #endif
-    for (int r = lane / vectors, c = lane - r * vectors; r < tall; GO_ON(r, c)) {
+    for (int r = first_row, c = first_column; r < tall; GO_ON(r, c)) {
         const int x = x0 + c * PELAGE_WIDTH;
         const int row = all_rows_there ? base + r : pelage_stands_for(min(base + r, rows + steps - 1), rows, -1);
         const long there = (long)row * pitch;
@@ -98,7 +100,7 @@ kernel __attribute__((reqd_work_group_size(PELAGE_GROUP, 1, 1))) void pelage_lat
         }
         barrier(CLK_LOCAL_MEM_FENCE);
     }
-    for (int r = steps + lane / vectors, c = lane % vectors; r < steps + high - low; GO_ON(r, c)) {
+    for (int r = steps + first_row, c = first_column; r < steps + high - low; GO_ON(r, c)) {
         const int x = x0 + c * PELAGE_WIDTH;
         const long there = (long)(base + r) * pitch;
         const int from = x0 + steps;

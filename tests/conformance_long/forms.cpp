@@ -1,4 +1,4 @@
-// The whole quick form on rusticl and, in its smallest sizes, under Oclgrind.
+// The whole quick form on the device that a run would take, on rusticl and, in its smallest sizes, under Oclgrind.
 #include "conformance/implementations.hpp"
 
 #include <catch2/catch.hpp>
@@ -13,6 +13,15 @@ namespace {
 constexpr std::chrono::minutes patience{30};
 
 }  // namespace
+
+TEST_CASE("the usual device gives the reference's bits in the whole quick form") {
+    Surroundings surroundings;
+    surroundings.patience = patience;
+
+    const Verification verification = verify({"--quick"}, surroundings);
+
+    require_equal_bits(verification);
+}
 
 TEST_CASE("rusticl gives the reference's bits in the whole quick form") {
     if (rusticl_missing()) return;

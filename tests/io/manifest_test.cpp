@@ -45,6 +45,10 @@ TEST_CASE("a manifest holds all that is needed to run again") {
     given.more_numbers["worst"] = std::nan("");
 
     auto experiment = test::experiment();
+    Parameter feed;
+    feed.name = "feed";
+    feed.value = 0.25;
+    experiment.parameters = {feed};
     experiment.inputs = {{"a.png", "12ab"}, {"b.exr", ""}};
 
     write_manifest(scratch / "manifest.json", given, experiment);
@@ -59,6 +63,7 @@ TEST_CASE("a manifest holds all that is needed to run again") {
                        {"seed", -3},
                        {"iterations", 5000000000},
                        {"time", 2.5},
+                       {"parameters", {{"feed", 0.25}}},
                        {"options", {{"fast", false}, {"quiet", true}, {"out", "a b"}, {"json", nullptr}}},
                        {"inputs", {{{"file", "a.png"}, {"sha256", "12ab"}}, {{"file", "b.exr"}, {"sha256", nullptr}}}},
                        {"cells", 16900},

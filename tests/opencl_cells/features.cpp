@@ -14,8 +14,7 @@ using namespace pelage;
 TEST_CASE("free cells: each feature on the device equals the reference") {
     const auto& feature = GENERATE(from_range(verify::cell_cases()));
     CellsOptions options;
-    options.together = GENERATE(false, true);
-    if (*options.together && feature.name.size() % 2 == 1) return;  // programs of this form take long to compile
+    options.together = feature.name.size() % 2 == 0;  // each in one of two forms: they take long to compile
     CAPTURE(feature.name, *options.together);
     const auto experiment = test::experiment(feature.text());
 
