@@ -189,7 +189,7 @@ std::vector<Check> cell_checks() {
                       }});
     checks.push_back({late.name, "cell step", false,
                       [](Place& place) { return check_cells(late, place, settings_of(place), make_late); }});
-    checks.push_back({"cells/spatial-sorting", "neighbour search", false, [](Place& place) {
+    checks.push_back({"cells/spatial-sorting", "neighbour search", true, [](Place& place) {
                           return check_cells(mirrored, place, {{.search = NeighbourSearch::spatial_sorting}});
                       }});
     checks.push_back({"cells/spatial-sorting-at-one-place", "neighbour search", false, [](Place& place) {
