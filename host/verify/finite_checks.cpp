@@ -39,6 +39,13 @@ public:
         }
     }
 
+    // For simulators.
+    void in_last_cells() {
+        for (std::size_t chemical = 0; chemical < state_.conc.size(); ++chemical) {
+            place(chemical, state_.cells() - 1, no_number);
+        }
+    }
+
     // The first in order of chemical and cell.
     void of_two() {
         Snapshot hurt = state_;
@@ -76,9 +83,9 @@ private:
 Outcome search(Place& place, const Experiment& experiment) {
     Outcome outcome;
     for (const Precision precision : {Precision::single_, Precision::double_}) {
-        if (precision == Precision::double_ && !place.device().fp64) continue;
+        if (precision == Precision::double_ && (place.small() || !place.device().fp64)) continue;
         Search one(outcome, experiment, initial_state(experiment, precision), place.backend({.precision = precision}));
-        one.everywhere();
+        place.small() ? one.in_last_cells() : one.everywhere();
         one.of_two();
     }
     return outcome;
