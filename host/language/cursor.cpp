@@ -25,9 +25,6 @@ std::optional<Integer> to_integer(std::string_view text) {
     return value;
 }
 
-// Beyond it doubles are no longer all whole numbers.
-constexpr double largest_whole = 9007199254740992.0;
-
 bool whole(std::string_view text) {
     text = without_plus(text);
     if (!text.empty() && text[0] == '-') text.remove_prefix(1);

@@ -28,6 +28,9 @@ struct Place {  // both from 1
 
 Error error_at(std::string_view source, Place, std::string_view text);
 
+// Where a parameter stands for a whole number: beyond it doubles are no longer all whole numbers.
+inline constexpr double largest_whole = 9007199254740992.0;
+
 // Allowed values of a number: low <= value <= high, or low < value, in float too, when `above`.
 struct Range {
     double low = -std::numeric_limits<double>::infinity();

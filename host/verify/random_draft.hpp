@@ -65,7 +65,7 @@ std::string words(std::initializer_list<std::string>);
 void draw_world(Draft&);     // chemicals, cells, `use` and `set`
 void draw_course(Draft&);    // rules and phases, and where the run ends
 void draw_pictures(Draft&);  // what is drawn of it
-void name_numbers(Draft&);  // some of what was drawn: random_parameters.cpp
+void name_numbers(Draft&);   // some of what was drawn: random_parameters.cpp
 
 void draw_rule(Draft&);  // random_rules.cpp
 

@@ -14,8 +14,6 @@ namespace pelage::verify {
 
 namespace {
 
-constexpr double largest_whole = 9007199254740992.0;  // a parameter is exact up to here
-
 struct Written {  // a number in the text
     std::size_t begin = 0;
     std::size_t end = 0;
@@ -36,7 +34,7 @@ std::vector<Written> numbers_of(const std::string& text) {
         const std::size_t begin = i;
         while (i < text.size() && !blank(text[i]) && text[i] != '"' && text.compare(i, 2, "//") != 0) ++i;
         const auto value = language::to_number(text.substr(begin, i - begin));
-        if (value && std::fabs(*value) <= largest_whole) found.push_back({begin, i});
+        if (value && std::fabs(*value) <= language::largest_whole) found.push_back({begin, i});
         --i;
     }
     return found;
