@@ -1,10 +1,9 @@
 // Sorting points into bins on devices with thousands of small processors, one work-item a point: each takes a ticket
 // of its bin, in whatever order they come. The few points of a bin are put in order afterwards, so that the result is
 // the one of common/sort.cl, which does the sorting where a bin is crowded.
-//   PELAGE_TEAM      work-items of a group, a power of two
-
-#define PELAGE_RUN 8             // bins that a work-item counts
-#define PELAGE_MOST_OF_A_BIN 64  // points that one work-item may put in order
+//   PELAGE_TEAM           work-items of a group, a power of two
+//   PELAGE_RUN            bins that a work-item counts
+//   PELAGE_MOST_OF_A_BIN  points that one work-item may put in order
 
 // What the work-items before this one hold together, of what each says to be its `own`.
 static inline int pelage_team_before(local int* sums, int lane, int own) {

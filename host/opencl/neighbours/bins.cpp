@@ -27,7 +27,7 @@ std::string neighbours_source(const Session& session, const NeighbourTuning& tun
         source.file(file);
     }
     if (tuning.tickets) {
-        source.text(fmt::format("#define PELAGE_TEAM {}\n", TicketSort::team(session)));
+        source.text(TicketSort::settings(session));
         source.file("neighbours/tickets.cl");
     }
     return source.str();

@@ -3,6 +3,8 @@
 
 #include "opencl/device/launch.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <bit>
 
@@ -10,16 +12,22 @@ namespace pelage {
 
 namespace {
 
-constexpr std::size_t run = 8;             // PELAGE_RUN
-constexpr cl_int most_of_a_bin = 64;       // PELAGE_MOST_OF_A_BIN
+constexpr std::size_t run = 8;             // bins that a work-item counts
+constexpr cl_int most_of_a_bin = 64;       // points that one work-item may put in order
 constexpr std::size_t points_a_box = 256;  // that are worth one more group
 
 std::size_t groups_of(std::size_t bins, std::size_t team) { return (bins + team * run - 1) / (team * run); }
 
+// Work-items of a group.
+std::size_t team(const Session& session) {
+    return std::bit_floor(std::clamp<std::size_t>(session.info().max_work_group, 1, 256));
+}
+
 }  // namespace
 
-std::size_t TicketSort::team(const Session& session) {
-    return std::bit_floor(std::clamp<std::size_t>(session.info().max_work_group, 1, 256));
+std::string TicketSort::settings(const Session& session) {
+    return fmt::format("#define PELAGE_TEAM {}\n#define PELAGE_RUN {}\n#define PELAGE_MOST_OF_A_BIN {}\n",
+                       team(session), run, most_of_a_bin);
 }
 
 TicketSort::TicketSort(const Session& session, const cl::Program& program)

@@ -5,6 +5,7 @@
 #include "opencl/device/session.hpp"
 
 #include <cstddef>
+#include <string>
 
 namespace pelage {
 
@@ -23,8 +24,8 @@ class TicketSort {
 public:
     static constexpr std::size_t most_boxes = 64;  // groups that look for the box around all points
 
-    // Work-items of a group: what the program must be told as PELAGE_TEAM.
-    static std::size_t team(const Session&);
+    // What stands before neighbours/tickets.cl in its program.
+    static std::string settings(const Session&);
 
     TicketSort(const Session&, const cl::Program&);
 
