@@ -29,3 +29,21 @@ add_custom_command(
   COMMENT "Listing reaction models"
   VERBATIM)
 add_custom_target(pelage_models DEPENDS ${generated}/models.stamp)
+
+# The table of elementary functions, likewise from kernels/functions and reference/functions.
+set(PELAGE_FUNCTION_TABLE ${generated}/function_table.cpp)
+set(PELAGE_FUNCTION_CODE ${generated}/reference_functions.hpp)
+file(GLOB function_files CONFIGURE_DEPENDS
+  ${PROJECT_SOURCE_DIR}/kernels/functions/*.cl ${PROJECT_SOURCE_DIR}/reference/functions/*.hpp)
+add_custom_command(
+  OUTPUT ${generated}/functions.stamp
+  BYPRODUCTS ${PELAGE_FUNCTION_TABLE} ${PELAGE_FUNCTION_CODE}
+  COMMAND ${CMAKE_COMMAND} -DTABLE=${PELAGE_FUNCTION_TABLE} -DREFERENCES=${PELAGE_FUNCTION_CODE}
+          -DKERNELS=${PROJECT_SOURCE_DIR}/kernels/functions -DREFERENCE=${PROJECT_SOURCE_DIR}/reference/functions
+          "-DFILES=${function_files}"
+          -P ${PROJECT_SOURCE_DIR}/cmake/WriteFunctions.cmake
+  COMMAND ${CMAKE_COMMAND} -E touch ${generated}/functions.stamp
+  DEPENDS ${function_files} ${PROJECT_SOURCE_DIR}/cmake/WriteFunctions.cmake
+  COMMENT "Listing elementary functions"
+  VERBATIM)
+add_custom_target(pelage_functions DEPENDS ${generated}/functions.stamp)

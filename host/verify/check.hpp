@@ -105,6 +105,7 @@ std::vector<Check> lattice_checks();
 std::vector<Check> law_checks(std::uint64_t seed);
 std::vector<Check> cell_checks();
 std::vector<Check> primitive_checks(std::uint64_t seed);
+std::vector<Check> function_checks();
 std::vector<Check> neighbour_checks(std::uint64_t seed);
 std::vector<Check> gather_checks(std::uint64_t seed);
 std::vector<Check> random_checks(std::uint64_t seed);

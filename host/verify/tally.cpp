@@ -146,15 +146,16 @@ void add_values(Tally& tally, std::span<const V> expected, std::span<const V> fo
     }
 }
 
-struct Floats {
+struct Reals {
     Tally& tally;
-    bool differ(float expected, float found) const {
+    Precision precision;
+    bool differ(double expected, double found) const {
         if (same(expected, found)) return false;
-        tally.max_ulp = std::max(tally.max_ulp, ulps(expected, found, Precision::single_));
-        tally.max_absolute = std::max(tally.max_absolute, std::abs(double{expected} - double{found}));
+        tally.max_ulp = std::max(tally.max_ulp, ulps(expected, found, precision));
+        tally.max_absolute = std::max(tally.max_absolute, std::abs(expected - found));
         return true;
     }
-    std::string text(float value) const { return shown(value, Precision::single_); }
+    std::string text(double value) const { return shown(value, precision); }
 };
 
 struct Words {
@@ -184,7 +185,11 @@ void add(Tally& tally, const Snapshot& expected, const Snapshot& found, Precisio
 }
 
 void add(Tally& tally, std::span<const float> expected, std::span<const float> found, const std::string& what) {
-    add_values(tally, expected, found, what, Floats{tally});
+    add_values(tally, expected, found, what, Reals{tally, Precision::single_});
+}
+
+void add(Tally& tally, std::span<const double> expected, std::span<const double> found, const std::string& what) {
+    add_values(tally, expected, found, what, Reals{tally, Precision::double_});
 }
 
 void add(Tally& tally, std::span<const std::uint32_t> expected, std::span<const std::uint32_t> found,

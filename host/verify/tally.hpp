@@ -31,6 +31,7 @@ void add(Tally&, const Snapshot& expected, const Snapshot& found, Precision, con
 
 // The same for arrays, one value a cell; `what` names their contents.
 void add(Tally&, std::span<const float> expected, std::span<const float> found, const std::string& what);
+void add(Tally&, std::span<const double> expected, std::span<const double> found, const std::string& what);
 void add(Tally&, std::span<const std::uint32_t> expected, std::span<const std::uint32_t> found,
          const std::string& what);
 

@@ -1,0 +1,28 @@
+// The table of elementary functions: what the first lines of kernels/functions/*.cl state. Each function has the same
+// bits in the reference and on every device.
+#pragma once
+
+#include <cstddef>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace pelage {
+
+struct FunctionFacts {
+    std::string name;                     // as written in the language, and of the file in kernels/functions
+    std::vector<std::string> parameters;  // as the language's page names them; none: a part of other functions
+    std::vector<std::string> needs;       // the files that must come before this one
+};
+
+// Every function there is, by the alphabet.
+const std::vector<FunctionFacts>& function_table();
+
+// The files that functions are made of and that are none of their own.
+const std::vector<FunctionFacts>& part_table();
+
+// The place of a function in the table; nothing where there is none of that name.
+std::optional<std::size_t> function_named(std::string_view name);
+
+}  // namespace pelage

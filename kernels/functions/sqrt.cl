@@ -1,0 +1,2 @@
+//@ function sqrt x
+static inline real pelage_sqrt(real x) { return sqrt(x); }

@@ -1,0 +1,13 @@
+// The larger number; a where they are equal or one of them is NaN.
+#pragma once
+
+#include "reference/functions/numbers.hpp"
+
+namespace pelage::reference::functions {
+
+template <class T>
+T max(T a, T b) {
+    return a < b ? b : a;
+}
+
+}  // namespace pelage::reference::functions

@@ -1,0 +1,13 @@
+// The square root.
+#pragma once
+
+#include "reference/functions/numbers.hpp"
+
+namespace pelage::reference::functions {
+
+template <class T>
+T sqrt(T x) {
+    return std::sqrt(x);
+}
+
+}  // namespace pelage::reference::functions

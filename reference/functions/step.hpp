@@ -1,0 +1,13 @@
+// 0 for x < edge, else 1.
+#pragma once
+
+#include "reference/functions/numbers.hpp"
+
+namespace pelage::reference::functions {
+
+template <class T>
+T step(T edge, T x) {
+    return x < edge ? T(0) : T(1);
+}
+
+}  // namespace pelage::reference::functions

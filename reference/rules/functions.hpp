@@ -1,0 +1,17 @@
+// Elementary functions by their places in function_table().
+#pragma once
+
+#include <cstddef>
+
+namespace pelage::reference {
+
+// Arguments in the order of FunctionFacts::parameters. T is float or double. Single precision works with subnormal
+// numbers taken for 0 (core/subnormal.hpp); the results are the same where the processor is not told so.
+template <class T>
+T apply_function(std::size_t index, const T* arguments);
+
+// out[i] of columns[0][i], columns[1][i], ... for i < count; out may be one of the columns.
+template <class T>
+void apply_function(std::size_t index, const T* const* columns, std::size_t count, T* out);
+
+}  // namespace pelage::reference
