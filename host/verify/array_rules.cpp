@@ -39,14 +39,18 @@ private:
     // Counted from the start of the run, or of the phase that the rule belongs to.
     std::string timing() const {
         const std::string& when = values_["when"];
-        if (action() == "divide" && when == "interval") return fmt::format("from {} until {} ", start_, start_);
-        if (action() == "divide" && when != "phase") return fmt::format("every 7 offset {} ", 1 + (start_ + nth_) % 7);
-        if (when == "interval") return fmt::format("from {} until {} ", start_, start_ + 11);
+        if (action() == "divide" && when == "interval") return fmt::format("from {0} until {0} ", start_ + 18);
+        if (action() == "divide" && when != "phase") return fmt::format("every 11 offset {} ", start_ + 1 + nth_ % 3);
+        if (when == "interval") return fmt::format("from {} until {} ", start_ + nth_ % 2, start_ + end());
         if (when == "every") return fmt::format("every {} ", 2 + nth_ % 3);
         if (when == "offset") return fmt::format("every 3 offset {} ", start_ + 2);
-        if (when == "phase") return action() == "divide" ? "until 3 " : "every 2 offset 1 ";
+        if (when == "phase") return action() == "divide" ? "every 7 offset 3 " : "every 2 offset 1 ";
         return "";
     }
+
+    // Without rules that have ended free cells have another program. Where phases make another one already, nothing
+    // ends.
+    std::uint64_t end() const { return lattice() || values_["ends"] == "bounded" ? 11 : 18; }
 
     // ---- what is read
 

@@ -141,13 +141,16 @@ private:
         }
     }
 
-    // Of the first chemical, one in the middle, one that is idle, and the last.
+    // Of the first chemical, one in the middle, one that is idle, and the last. Where the first and the last know no
+    // bounds they get some, which makes another program; elsewhere numbers change alone.
     void change_settings(double time_step, double limit, double rate) {
         const std::vector<std::string> names = generated_chemicals(case_);
         line(fmt::format("define time_step {}", time_step));
         line(fmt::format("define chemical G limit {} floor {}", limit / 2, limit / 4));
         for (const std::string& name : {names.front(), std::string("Q"), names.back()}) {
-            line(fmt::format("define chemical {} limit {} floor {}", name, limit, limit / 4));
+            const bool numbers_alone = name == "Q" && world_["ends"] == "bounded";
+            const std::string floor = numbers_alone ? "none" : fmt::format("{}", limit / 4);
+            line(fmt::format("define chemical {} limit {} floor {}", name, limit, floor));
             line(fmt::format("use chemical {} diff {}", name, rate));
         }
     }

@@ -2,7 +2,9 @@
 #include "verify/covering.hpp"
 
 #include <algorithm>
+#include <cstdint>
 #include <limits>
+#include <numeric>
 #include <optional>
 #include <span>
 
@@ -93,8 +95,11 @@ private:
 
 class Generator {
 public:
-    explicit Generator(const Array& array) : array_(array), tuples_(array), given_used_(array.given.size(), 0) {
+    explicit Generator(const Array& array)
+        : array_(array), tuples_(array), given_used_(array.given.size(), 0), dice_(array.draw) {
         for (const Factor& factor : array.factors) used_.emplace_back(factor.values.size(), 0);
+        order_.resize(array.factors.size());
+        std::iota(order_.begin(), order_.end(), std::size_t{0});
         ArrayRow row(array.factors.size(), open);
         given_factors_ = array.given.empty() ? 0 : array.given.front().size();
         for (const ArrayRow& given : array.given) {
@@ -116,6 +121,7 @@ private:
     bool among_given(std::size_t nth) const { return tuples_.set(nth).back() < given_factors_; }
 
     void begin(std::size_t nth, std::size_t tuple) {
+        shuffle();
         ArrayRow row(array_.factors.size(), open);
         bool possible = !among_given(nth);
         for (const Choice& choice : tuples_.choices(nth, tuple)) {
@@ -127,6 +133,14 @@ private:
         } else {
             ++made_.infeasible;
             tuples_.mark(nth, tuple);
+        }
+    }
+
+    // The order in which open factors take their values, drawn anew for each row.
+    void shuffle() {
+        for (std::size_t i = order_.size(); array_.draw != 0 && i > 1; --i) {
+            dice_ = dice_ * 6364136223846793005u + 1442695040888963407u;
+            std::swap(order_[i - 1], order_[(dice_ >> 33) % i]);
         }
     }
 
@@ -153,9 +167,10 @@ private:
     bool complete(ArrayRow& row) {
         const auto agreeing = [&](const ArrayRow& given) { return agrees(row, given); };
         if (given_factors_ != 0 && std::ranges::none_of(array_.given, agreeing)) return false;
-        const auto at = std::find(row.begin() + static_cast<std::ptrdiff_t>(given_factors_), row.end(), open);
-        if (at == row.end()) return begin_as_given(row);
-        const auto factor = static_cast<std::size_t>(at - row.begin());
+        const auto at = std::ranges::find_if(
+            order_, [&](std::size_t factor) { return factor >= given_factors_ && row[factor] == open; });
+        if (at == order_.end()) return begin_as_given(row);
+        const std::size_t factor = *at;
         for (const std::size_t value : by_gain(row, factor)) {
             row[factor] = value;
             if (complete(row)) return true;
@@ -184,7 +199,7 @@ private:
         return values;
     }
 
-    // Takes the values of the first factors from the given row that adds most.
+    // Takes the values of the first factors from the given row that adds most for what it costs.
     bool begin_as_given(ArrayRow& row) const {
         if (given_factors_ == 0) return true;
         std::optional<std::size_t> best;
@@ -192,7 +207,8 @@ private:
         for (std::size_t which = 0; which < array_.given.size(); ++which) {
             if (!agrees(row, array_.given[which])) continue;
             const std::size_t gain = gain_with(row, array_.given[which]);
-            const bool better = !best || gain > most || (gain == most && spent(which) < spent(*best));
+            const std::size_t mine = gain * (best ? array_.costs[*best] : 1), theirs = most * array_.costs[which];
+            const bool better = !best || mine > theirs || (mine == theirs && spent(which) < spent(*best));
             if (!better) continue;
             best = which;
             most = gain;
@@ -227,6 +243,62 @@ private:
     std::size_t given_factors_ = 0;
     std::vector<std::size_t> given_used_;
     std::vector<std::vector<std::size_t>> used_;  // how often a value is in a row
+    std::vector<std::size_t> order_;
+    std::uint64_t dice_;
+};
+
+// Drops rows all of whose tuples other rows hold too: of the dearest first, then of the latest.
+class Pruner {
+public:
+    Pruner(const Array& array, Covering& made) : array_(array), tuples_(array), made_(made) {
+        for (std::size_t nth = 0; nth < tuples_.sets(); ++nth) counts_.emplace_back(tuples_.size(nth), 0);
+        given_factors_ = array.given.empty() ? 0 : array.given.front().size();
+        for (const ArrayRow& row : made.rows) count(row, 1);
+    }
+
+    void run() {
+        std::vector<std::size_t> order(made_.rows.size());
+        std::iota(order.rbegin(), order.rend(), std::size_t{0});
+        std::ranges::stable_sort(order, [&](std::size_t a, std::size_t b) { return cost(a) > cost(b); });
+        std::vector<bool> dropped(order.size(), false);
+        for (const std::size_t row : order) {
+            if (!superfluous(made_.rows[row])) continue;
+            dropped[row] = true;
+            count(made_.rows[row], -1);
+        }
+        drop(made_.rows, dropped);
+        drop(made_.of_given, dropped);
+    }
+
+private:
+    template <class T>
+    static void drop(std::vector<T>& from, const std::vector<bool>& dropped) {
+        std::vector<T> left;
+        for (std::size_t i = 0; i < from.size(); ++i) {
+            if (!dropped[i]) left.push_back(from[i]);
+        }
+        from = std::move(left);
+    }
+
+    std::size_t cost(std::size_t row) const { return given_factors_ == 0 ? 0 : array_.costs[made_.of_given[row]]; }
+
+    void count(const ArrayRow& row, int change) {
+        for (std::size_t nth = 0; nth < tuples_.sets(); ++nth) counts_[nth][*tuples_.held(nth, row)] += change;
+    }
+
+    bool superfluous(const ArrayRow& row) const {
+        for (std::size_t nth = 0; nth < tuples_.sets(); ++nth) {
+            if (tuples_.set(nth).back() < given_factors_) continue;
+            if (counts_[nth][*tuples_.held(nth, row)] < 2) return false;
+        }
+        return true;
+    }
+
+    const Array& array_;
+    Tuples tuples_;
+    Covering& made_;
+    std::size_t given_factors_ = 0;
+    std::vector<std::vector<int>> counts_;  // how many rows hold a tuple
 };
 
 // Any two of the choices fit each other, and to all of them fits some value of every other factor.
@@ -247,7 +319,11 @@ bool feasible(const Array& array, std::span<const Choice> choices) {
 
 }  // namespace
 
-Covering cover(const Array& array) { return Generator(array).run(); }
+Covering cover(const Array& array) {
+    Covering made = Generator(array).run();
+    Pruner(array, made).run();
+    return made;
+}
 
 std::vector<std::string> not_met(const Array& array, const std::vector<ArrayRow>& rows) {
     Tuples tuples(array);

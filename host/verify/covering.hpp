@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <functional>
 #include <string>
 #include <vector>
@@ -26,8 +27,10 @@ struct Array {
     // Whether two values can stand in one row.
     std::function<bool(const Choice&, const Choice&)> feasible;
     // Not empty: values of the first factors are those of one of these rows, whose own tuples count as met already.
-    std::vector<ArrayRow> given;
-    std::vector<std::size_t> costs;  // of each given one, where rows are free to choose
+    std::vector<ArrayRow> given = {};
+    std::vector<std::size_t> costs = {};  // of each given one: rows begin with those that add most for what they cost
+    std::uint64_t draw =
+        0;  // not 0: factors take their values in an order drawn with this seed, which may need fewer rows
 };
 
 struct Covering {
@@ -37,7 +40,7 @@ struct Covering {
 };
 
 // Greedy, and the same on every machine: the first tuple that has not been met begins a row, and each factor in turn
-// takes the value with which most new tuples meet.
+// takes the value with which most new tuples meet. Rows that later ones made superfluous are dropped.
 Covering cover(const Array&);
 
 // All tuples of values that no row of these holds, as text, though any two of them may stand in one row and each other

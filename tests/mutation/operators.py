@@ -35,7 +35,6 @@ ROOT = pathlib.Path(__file__).resolve().parents[2]
 EMITTERS = ["host/opencl/lattice/emit_*.cpp", "host/opencl/rules/*.cpp", "host/opencl/cells/source.cpp"]
 NOT_VERIFIED = ["kernels/common/yardstick.cl"]  # belongs to the benchmarks
 LIMIT = 90  # seconds that one check may take
-WORKERS = 2
 
 # ---- the operators: each yields (start, end, text instead) in one line of code
 
@@ -266,7 +265,7 @@ def in_order(program, form):
     return [name for _, _, name in sorted(turns)]
 
 
-def judge(program, names, form, surroundings):
+def judge(program, names, form, surroundings, workers):
     """(verdict, name of the check that was first, what it said)"""
     waiting = queue.Queue()
     for name in names:
@@ -292,7 +291,7 @@ def judge(program, names, form, surroundings):
                 over.set()
         worker.end()
 
-    threads = [threading.Thread(target=work) for _ in range(WORKERS)]
+    threads = [threading.Thread(target=work) for _ in range(workers)]
     for thread in threads:
         thread.start()
     for thread in threads:
@@ -307,6 +306,8 @@ class Bench:
 
     def __init__(self, chosen):
         self.form = chosen.form
+        self.workers = chosen.workers
+        self.caught = {}  # by file: names of the checks that caught a fault in it, and how many each
         self.work = chosen.work.resolve()
         self.work.mkdir(parents=True, exist_ok=True)
         self.program = str(chosen.program.resolve())
@@ -316,7 +317,20 @@ class Bench:
                                  POCL_CACHE_DIR=str(self.work / "pocl-cache"))
 
     def healthy(self):
-        return judge(self.program, self.names, self.form, self.surroundings)
+        return judge(self.program, self.names, self.form, self.surroundings, self.workers)
+
+    def learn(self, fault, verdict, name):
+        if verdict != "killed":
+            return
+        counts = self.caught.setdefault(fault["file"], {})
+        counts[name] = counts.get(name, 0) + 1
+
+    def likely_first(self, fault):
+        """Names of checks: first what caught this fault before, then what caught most in the same file."""
+        counts = self.caught.get(fault["file"], {})
+        known = [name for name in [fault.get("by", "")] if name in self.names]
+        known += sorted((name for name in counts if name in self.names), key=lambda name: -counts[name])
+        return list(dict.fromkeys(known + self.names))
 
     def try_one(self, fault):
         text = plant(ROOT, fault)
@@ -331,7 +345,8 @@ class Bench:
         shutil.rmtree(folder, ignore_errors=True)
         shutil.copytree(ROOT / "kernels", folder)
         (self.work / fault["file"]).write_text(text)
-        return judge(self.program, self.names, self.form, dict(self.surroundings, PELAGE_KERNELS=str(folder)))
+        return judge(self.program, self.likely_first(fault), self.form,
+                     dict(self.surroundings, PELAGE_KERNELS=str(folder)), self.workers)
 
     def try_emitter(self, fault, text):
         tree = self.tree or self.copied_tree()
@@ -341,7 +356,8 @@ class Bench:
             path.write_text(text)
             if not self.build(tree):
                 return "stillborn", "", "does not compile"
-            return judge(str(self.built(tree) / "pelage"), self.names, self.form, self.surroundings)
+            return judge(str(self.built(tree) / "pelage"), self.likely_first(fault), self.form, self.surroundings,
+                         self.workers)
         finally:
             path.write_text(healthy)
 
@@ -401,6 +417,7 @@ def main():
     options.add_argument("--work", type=pathlib.Path, default=ROOT / "build" / "mutation")
     options.add_argument("--results", type=pathlib.Path, help="default: operators.json in the folder --work")
     options.add_argument("--replay", type=pathlib.Path, help="plant the faults of this file of results again")
+    options.add_argument("--workers", type=int, default=2, help="processes at once (default 2)")
     options.add_argument("--named", action="store_true", help="the faults of faults.py")
     options.add_argument("--summary", action="store_true", help="print what the results say and plant nothing")
     chosen = options.parse_args()
@@ -415,15 +432,18 @@ def main():
         raise SystemExit(f"without a fault {name} fails already: {what}")
     known = {(one["file"], one["before"], one["after"], one["nth"]): one for one in results}
     faults = named() if chosen.named else json.loads(chosen.replay.read_text()) if chosen.replay else draw(chosen.seed)
+    for one in results:
+        bench.learn(one, one["verdict"], one["by"])
     judged = 0
-    for fault in faults:
-        if chosen.only not in fault["file"]:
+    for before in faults:
+        if chosen.only not in before["file"]:
             continue
-        fault = {key: fault[key] for key in ("file", "line", "operator", "before", "after", "nth")}
+        fault = {key: before[key] for key in ("file", "line", "operator", "before", "after", "nth")}
         one = known.get((fault["file"], fault["before"], fault["after"], fault["nth"]))
         if one is None:
             start = time.monotonic()
-            verdict, name, what = bench.try_one(fault)
+            verdict, name, what = bench.try_one(dict(fault, by=before.get("by", "")))
+            bench.learn(fault, verdict, name)
             one = dict(fault, verdict=verdict, by=name, what=what, seconds=round(time.monotonic() - start, 1))
             results.append(one)
             results_file.write_text(json.dumps(results, indent=1) + "\n")
