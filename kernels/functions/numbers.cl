@@ -30,6 +30,12 @@ typedef PELAGE_PASTE(PELAGE_LANE_BITS, PELAGE_WIDTH) bitsv;
 #define SMALLEST PICK(0x1p-126f, 0x1p-1022)  // that is normal
 #define INFINITE R(INFINITY)
 
+// pi/2 in two parts, ln 2 in two of which the first has so few bits that an exponent times it is exact.
+#define HALF_PI PICK(0x1.921fb6p+0f, 0x1.921fb54442d18p+0)
+#define HALF_PI_LOW PICK(-0x1.777a5cp-25f, 0x1.1a62633145c07p-54)
+#define LN2_HIGH PICK(0x1.62e4p-1f, 0x1.62e42fefa3p-1)
+#define LN2_LOW PICK(0x1.7f7d1cp-20f, 0x1.3de6af278ece6p-42)
+
 // The bits of a whole number w, |w| < 2^21, plus this one are w + const: its lowest bits are those of w.
 #define WHOLE_SHIFT PICK(0x1.8p+23f, 0x1.8p+52)
 #define WHOLE_SHIFT_BITS WORD(0x4b400000u, 0x4338000000000000ul)

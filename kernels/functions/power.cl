@@ -35,15 +35,14 @@ static inline real pelage_power_tail(real r) {
 // |x| < 174 (1400); |low| is at most about a rounding error of x.
 static inline struct pelage_power pelage_power(real x, real low) {
     const real k = rint(x * PICK(0x1.715476p+0f, 0x1.71547652b82fep+0));
-    const real near = fma(-k, PICK(0x1.62e4p-1f, 0x1.62e42fefa3p-1), x);  // exact
-    const real ln2_low = PICK(0x1.7f7d1cp-20f, 0x1.3de6af278ece6p-42);
-    const real r = fma(-k, ln2_low, near);
-    const real rest = fma(-k, ln2_low, near - r) + low;
+    const real near = fma(-k, LN2_HIGH, x);  // exact
+    const real r = fma(-k, LN2_LOW, near);
+    const real rest = fma(-k, LN2_LOW, near - r) + low;
     const real tail = (r * r) * pelage_power_tail(r);
     struct pelage_power power;
     power.exponent = k;
     power.more.high = r + tail;
-    power.more.low = ((r - power.more.high) + tail) + fma(rest, r, rest);
+    power.more.low = ((r - power.more.high) + tail) + fma(rest, power.more.high, rest);
     return power;
 }
 

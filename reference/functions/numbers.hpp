@@ -43,6 +43,16 @@ T number_of(Bits<T> bits) {
     return std::bit_cast<T>(bits);
 }
 
+// pi/2 in two parts, ln 2 in two of which the first has so few bits that an exponent times it is exact.
+template <class T>
+inline constexpr T half_pi = pick<T>(0x1.921fb6p+0f, 0x1.921fb54442d18p+0);
+template <class T>
+inline constexpr T half_pi_low = pick<T>(-0x1.777a5cp-25f, 0x1.1a62633145c07p-54);
+template <class T>
+inline constexpr T ln2_high = pick<T>(0x1.62e4p-1f, 0x1.62e42fefa3p-1);
+template <class T>
+inline constexpr T ln2_low = pick<T>(0x1.7f7d1cp-20f, 0x1.3de6af278ece6p-42);
+
 // The bits of a whole number w, |w| < 2^21, plus this one are w + const: its lowest bits are those of w.
 template <class T>
 inline constexpr T whole_shift = pick<T>(0x1.8p+23f, 0x1.8p+52);

@@ -28,13 +28,12 @@ T power_tail(T r) {
 template <class T>
 Power<T> power(T x, T low) {
     const T k = std::rint(x * pick<T>(0x1.715476p+0f, 0x1.71547652b82fep+0));
-    const T near = std::fma(-k, pick<T>(0x1.62e4p-1f, 0x1.62e42fefa3p-1), x);  // exact
-    const T ln2_low = pick<T>(0x1.7f7d1cp-20f, 0x1.3de6af278ece6p-42);
-    const T r = std::fma(-k, ln2_low, near);
-    const T rest = std::fma(-k, ln2_low, near - r) + low;
+    const T near = std::fma(-k, ln2_high<T>, x);  // exact
+    const T r = std::fma(-k, ln2_low<T>, near);
+    const T rest = std::fma(-k, ln2_low<T>, near - r) + low;
     const T tail = (r * r) * power_tail(r);
     const T high = r + tail;
-    return {{high, ((r - high) + tail) + std::fma(rest, r, rest)}, k};
+    return {{high, ((r - high) + tail) + std::fma(rest, high, rest)}, k};
 }
 
 // 1 + s for -0.3 < s < 0.42.
