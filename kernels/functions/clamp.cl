@@ -1,6 +1,3 @@
-//@ function clamp x, low, high
+//@ function clamp x, low, high | needs min, max
 // A NaN stays one; where low > high the result is high.
-static inline real pelage_clamp(real x, real low, real high) {
-    const real raised = SELECT(x < low, low, x);
-    return SELECT(high < raised, high, raised);
-}
+static inline real pelage_clamp(real x, real low, real high) { return pelage_min(pelage_max(x, low), high); }

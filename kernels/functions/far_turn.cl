@@ -5,14 +5,11 @@
 
 #ifdef PELAGE_DOUBLE
 #define FAR_WORD(x) as_ulong(x)
-#define FAR_PART(f0, f1) (((f0) << 42 | (f1) >> 22) & 0x1ffffffffffffful)
-#define FAR_POWER(n) as_double((ulong)(1023 - (n)) << 52)  // 2^-n
+#define FAR_BIAS 1023u
 #else
 #define FAR_WORD(x) ((ulong)as_uint(x))
-#define FAR_PART(f0, f1) ((f0) >> 16 & 0xfffffful)
-#define FAR_POWER(n) as_float((uint)(127 - (n)) << 23)
+#define FAR_BIAS 127u
 #endif
-#define FAR_BIAS (FRACTION_BITS == 52 ? 1023 : 127)
 
 // 64 bits of 0, and the bits of 2/pi after its point.
 constant ulong pelage_two_over_pi[20] = {
@@ -21,38 +18,48 @@ constant ulong pelage_two_over_pi[20] = {
     0x3991d639835339f4ul, 0x9c845f8bbdf9283bul, 0x1ff897ffde05980ful, 0xef2f118b5a0a6d1ful, 0x6d367ecf27cb09b7ul,
     0x4f463f669e5fea2dul, 0x7527bac7ebe5f17bul, 0x3d0739f78a5292eaul, 0x6bfb5fb11f8d5d08ul, 0x56033046fc7b6babul};
 
-// 64 bits of it from bit `first` on.
+// 64 bits of it from bit `first` on. Shifts of two words together are written as products: of shifts a compiler makes
+// an instruction that Oclgrind lacks.
 static inline ulong pelage_turn_bits(uint first) {
     const uint at = first / 64u;
-    const uint within = first & 63u;
-    const ulong high = pelage_two_over_pi[at] << within;
-    return within == 0u ? high : high | pelage_two_over_pi[at + 1u] >> (64u - within);
+    const ulong shift = (ulong)1 << (first & 63u);
+    return pelage_two_over_pi[at] * shift + mul_hi(pelage_two_over_pi[at + 1u], shift);
+}
+
+// f0 2^-62 + f1 2^-126 in two parts, cut into numbers of as many bits as a scalar has.
+static inline void pelage_far_parts(ulong f0, ulong f1, scalar* high, scalar* low) {
+#ifdef PELAGE_DOUBLE
+    const scalar first = (scalar)(f0 >> 9) * 0x1p-53;
+    const scalar second = (scalar)(f0 & 0x1fful) * 0x1p-62;
+    const scalar third = (scalar)(f1 >> 11) * 0x1p-115;
+    const scalar fourth = (scalar)(f1 & 0x7fful) * 0x1p-126;
+#else
+    const scalar first = (scalar)(f0 >> 38) * 0x1p-24f;
+    const scalar second = (scalar)(f0 >> 14 & 0xfffffful) * 0x1p-48f;
+    const scalar third = (scalar)(f0 & 0x3ffful) * 0x1p-62f;
+    const scalar fourth = 0.0f;
+#endif
+    const scalar sum = first + second;
+    const scalar rest = (second - (sum - first)) + third;
+    *high = sum + rest;
+    *low = (rest - (*high - sum)) + fourth;
 }
 
 // size = (quarters + high + low) pi/2, with high between -1/2 and 1/2 and quarters from 0 to 4, less multiples of 4, for
-// finite size > 1. The parts are numbers of their own: low is the bits that follow those of high.
+// finite size > 1.
 static inline void pelage_far_turn(scalar size, scalar* high, scalar* low, scalar* quarters) {
     const ulong word = FAR_WORD(size);
     const uint first = (uint)(word >> FRACTION_BITS) - FAR_BIAS - FRACTION_BITS + 62u;
     const ulong m = (word & (((ulong)1 << FRACTION_BITS) - 1ul)) | (ulong)1 << FRACTION_BITS;
-    // The lowest 192 bits of the product; the first two of them are the quarters.
+    // 128 bits of the product; the first two of them are the quarters.
     const ulong middle = pelage_turn_bits(first + 64u);
-    const ulong last = pelage_turn_bits(first + 128u);
-    const ulong p1 = m * middle + mul_hi(m, last);
-    const ulong p0 = m * pelage_turn_bits(first) + mul_hi(m, middle) + (p1 < mul_hi(m, last) ? 1ul : 0ul);
-    ulong f0 = p0 << 2 | p1 >> 62;
-    ulong f1 = p1 << 2 | (m * last) >> 62;
-    const bool more = f0 >> 63 != 0ul;  // than half a quarter: count from the next one
-    if (more) {
-        f0 = ~f0;
-        f1 = ~f1;
-    }
-    const uint zeros = (uint)clz(f0);
-    if (zeros != 0u) f0 = f0 << zeros | f1 >> (64u - zeros);
-    f1 <<= zeros;
-    const scalar unit = FAR_POWER(zeros + FRACTION_BITS + 1u);
-    const scalar sign = more ? -unit : unit;
-    *high = (scalar)(f0 >> (63 - FRACTION_BITS)) * sign;
-    *low = (scalar)FAR_PART(f0, f1) * (sign * FAR_POWER(FRACTION_BITS + 1u));
+    const ulong carried = mul_hi(m, pelage_turn_bits(first + 128u));
+    const ulong p1 = m * middle + carried;
+    const ulong p0 = m * pelage_turn_bits(first) + mul_hi(m, middle) + (p1 < carried ? 1ul : 0ul);
+    const bool more = (p0 >> 61 & 1ul) != 0ul;  // than half a quarter: count from the next one
+    const ulong fraction = 0x3ffffffffffffffful;
+    pelage_far_parts((more ? ~p0 : p0) & fraction, more ? ~p1 : p1, high, low);
+    *high = more ? -*high : *high;
+    *low = more ? -*low : *low;
     *quarters = (scalar)(uint)((p0 >> 62) + (more ? 1ul : 0ul));
 }

@@ -1,3 +1,7 @@
-//@ function min a, b
+//@ function min a, b | needs numbers
 // a where they are equal or one of them is NaN.
-static inline real pelage_min(real a, real b) { return SELECT(b < a, b, a); }
+static inline real pelage_min(real a, real b) {
+    a = pelage_flushed(a);
+    b = pelage_flushed(b);
+    return SELECT(b < a, b, a);
+}

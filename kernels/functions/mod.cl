@@ -1,3 +1,7 @@
-//@ function mod a, b
+//@ function mod a, b | needs numbers
 // Of the sign of b.
-static inline real pelage_mod(real a, real b) { return a - b * floor(a / b); }
+static inline real pelage_mod(real a, real b) {
+    a = pelage_flushed(a);
+    b = pelage_flushed(b);
+    return a - b * floor(a / b);
+}

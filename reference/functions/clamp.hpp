@@ -1,14 +1,14 @@
 // x between two bounds. A NaN stays one; where low > high the result is high.
 #pragma once
 
-#include "reference/functions/numbers.hpp"
+#include "reference/functions/max.hpp"
+#include "reference/functions/min.hpp"
 
 namespace pelage::reference::functions {
 
 template <class T>
 T clamp(T x, T low, T high) {
-    const T raised = x < low ? low : x;
-    return high < raised ? high : raised;
+    return min(max(x, low), high);
 }
 
 }  // namespace pelage::reference::functions

@@ -17,14 +17,6 @@ inline constexpr std::array<std::uint64_t, 20> two_over_pi{
     0x3991d639835339f4, 0x9c845f8bbdf9283b, 0x1ff897ffde05980f, 0xef2f118b5a0a6d1f, 0x6d367ecf27cb09b7,
     0x4f463f669e5fea2d, 0x7527bac7ebe5f17b, 0x3d0739f78a5292ea, 0x6bfb5fb11f8d5d08, 0x56033046fc7b6bab};
 
-// 64 bits of it from bit `first` on.
-inline std::uint64_t turn_bits(std::size_t first) {
-    const std::size_t at = first / 64;
-    const std::size_t within = first % 64;
-    const std::uint64_t high = two_over_pi[at] << within;
-    return within == 0 ? high : high | two_over_pi[at + 1] >> (64 - within);
-}
-
 // The upper half of a product.
 inline std::uint64_t upper_product(std::uint64_t a, std::uint64_t b) {
     constexpr std::uint64_t lower_half = 0xffffffff;
@@ -34,44 +26,58 @@ inline std::uint64_t upper_product(std::uint64_t a, std::uint64_t b) {
     return (a >> 32) * (b >> 32) + (one >> 32) + (other >> 32);
 }
 
+// 64 bits of it from bit `first` on.
+inline std::uint64_t turn_bits(std::size_t first) {
+    const std::size_t at = first / 64;
+    const std::uint64_t shift = std::uint64_t{1} << (first % 64);
+    return two_over_pi[at] * shift + upper_product(two_over_pi[at + 1], shift);
+}
+
+// f0 2^-62 + f1 2^-126 in two parts, cut into numbers of as many bits as T has.
+template <class T>
+Pair<T> far_parts(std::uint64_t f0, std::uint64_t f1) {
+    T first, second, third, fourth = T(0);
+    if constexpr (single<T>) {
+        first = static_cast<T>(f0 >> 38) * 0x1p-24f;
+        second = static_cast<T>(f0 >> 14 & 0xffffff) * 0x1p-48f;
+        third = static_cast<T>(f0 & 0x3fff) * 0x1p-62f;
+    } else {
+        first = static_cast<T>(f0 >> 9) * 0x1p-53;
+        second = static_cast<T>(f0 & 0x1ff) * 0x1p-62;
+        third = static_cast<T>(f1 >> 11) * 0x1p-115;
+        fourth = static_cast<T>(f1 & 0x7ff) * 0x1p-126;
+    }
+    const Pair<T> upper = quick_sum(first, second);
+    Pair<T> all = quick_sum(upper.high, upper.low + third);
+    all.low += fourth;
+    return all;
+}
+
 // size = (quarters + high + low) pi/2, less multiples of 2 pi.
 template <class T>
 struct FarTurn {
-    T high, low;  // high is between -1/2 and 1/2, low is the bits that follow its own
-    T quarters;   // from 0 to 4
+    Pair<T> share;  // between -1/2 and 1/2
+    T quarters;     // from 0 to 4
 };
 
 // For finite size > 1.
 template <class T>
 FarTurn<T> far_turn(T size) {
-    constexpr int own_bits = fraction_bits<T> + 1;
     const Bits<T> bits = bits_of(size);
     const int exponent = static_cast<int>(bits >> fraction_bits<T>) - (single<T> ? 127 : 1023);
     const auto first = static_cast<std::size_t>(exponent - fraction_bits<T> + 62);
     const std::uint64_t hidden = std::uint64_t{1} << fraction_bits<T>;
     const std::uint64_t m = (bits & (hidden - 1)) | hidden;
-    // The lowest 192 bits of the product; the first two of them are the quarters.
+    // 128 bits of the product; the first two of them are the quarters.
     const std::uint64_t middle = turn_bits(first + 64);
-    const std::uint64_t last = turn_bits(first + 128);
-    const std::uint64_t p1 = m * middle + upper_product(m, last);
-    const std::uint64_t carry = p1 < upper_product(m, last) ? 1 : 0;
-    const std::uint64_t p0 = m * turn_bits(first) + upper_product(m, middle) + carry;
-    std::uint64_t f0 = p0 << 2 | p1 >> 62;
-    std::uint64_t f1 = p1 << 2 | (m * last) >> 62;
-    const bool more = f0 >> 63 != 0;  // than half a quarter: count from the next one
-    if (more) {
-        f0 = ~f0;
-        f1 = ~f1;
-    }
-    const int zeros = std::countl_zero(f0);
-    if (zeros != 0) f0 = f0 << zeros | f1 >> (64 - zeros);
-    f1 <<= zeros;
-    const std::uint64_t after = single<T> ? f0 >> 16 & 0xffffff : (f0 << 42 | f1 >> 22) & 0x1fffffffffffff;
-    const T unit = power_of_two(static_cast<T>(-(zeros + own_bits)));
-    const T sign = more ? -unit : unit;
-    return {static_cast<T>(f0 >> (64 - own_bits)) * sign,
-            static_cast<T>(after) * (sign * power_of_two(static_cast<T>(-own_bits))),
-            static_cast<T>((p0 >> 62) + (more ? 1 : 0))};
+    const std::uint64_t carried = upper_product(m, turn_bits(first + 128));
+    const std::uint64_t p1 = m * middle + carried;
+    const std::uint64_t p0 = m * turn_bits(first) + upper_product(m, middle) + (p1 < carried ? 1 : 0);
+    const bool more = (p0 >> 61 & 1) != 0;  // than half a quarter: count from the next one
+    constexpr std::uint64_t fraction = 0x3fffffffffffffff;
+    const Pair<T> share = far_parts<T>((more ? ~p0 : p0) & fraction, more ? ~p1 : p1);
+    const Bits<T> sign = more ? sign_bit<T> : Bits<T>{0};
+    return {{with_sign(share.high, sign), with_sign(share.low, sign)}, static_cast<T>((p0 >> 62) + (more ? 1 : 0))};
 }
 
 }  // namespace pelage::reference::functions

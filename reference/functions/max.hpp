@@ -7,6 +7,8 @@ namespace pelage::reference::functions {
 
 template <class T>
 T max(T a, T b) {
+    a = flushed(a);
+    b = flushed(b);
     return a < b ? b : a;
 }
 

@@ -1,4 +1,4 @@
-// a at t = 0, b - a rounded and added to a at t = 1.
+// a at t = 0, and at t = 1 a + (b - a) as it is rounded.
 #pragma once
 
 #include "reference/functions/numbers.hpp"
@@ -7,7 +7,8 @@ namespace pelage::reference::functions {
 
 template <class T>
 T mix(T a, T b, T t) {
-    return std::fma(b - a, t, a);
+    a = flushed(a);
+    return a + (flushed(b) - a) * flushed(t);
 }
 
 }  // namespace pelage::reference::functions

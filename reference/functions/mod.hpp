@@ -7,6 +7,8 @@ namespace pelage::reference::functions {
 
 template <class T>
 T mod(T a, T b) {
+    a = flushed(a);
+    b = flushed(b);
     return a - b * std::floor(a / b);
 }
 

@@ -7,7 +7,8 @@ namespace pelage::reference::functions {
 
 template <class T>
 T smoothstep(T low, T high, T x) {
-    const T t = (x - low) / (high - low);
+    low = flushed(low);
+    const T t = (flushed(x) - low) / (flushed(high) - low);
     const T raised = t < T(0) ? T(0) : t;
     const T held = raised > T(1) ? T(1) : raised;
     return (held * held) * std::fma(T(-2), held, T(3));

@@ -7,7 +7,7 @@ namespace pelage::reference::functions {
 
 template <class T>
 T sqrt(T x) {
-    return std::sqrt(x);
+    return std::sqrt(flushed(x));
 }
 
 }  // namespace pelage::reference::functions

@@ -7,7 +7,7 @@ namespace pelage::reference::functions {
 
 template <class T>
 T step(T edge, T x) {
-    return x < edge ? T(0) : T(1);
+    return flushed(x) < flushed(edge) ? T(0) : T(1);
 }
 
 }  // namespace pelage::reference::functions

@@ -39,8 +39,8 @@ Pair<T> near_turn(T size, T quarters) {
 
 template <class T>
 Pair<T> of_far_turn(const FarTurn<T>& turn) {
-    const Pair<T> angle = product(turn.high, half_pi<T>);
-    const T second = std::fma(turn.high, half_pi_low<T>, turn.low * half_pi<T>);
+    const Pair<T> angle = product(turn.share.high, half_pi<T>);
+    const T second = std::fma(turn.share.high, half_pi_low<T>, turn.share.low * half_pi<T>);
     return quick_sum(angle.high, angle.low + second);
 }
 
