@@ -10,9 +10,11 @@ template <class T>
 T arc_tail(T z) {
     if constexpr (single<T>)
         return polynomial<T>(z, {-0x1.f2f55ep-5f, 0x1.b2276ep-4f, -0x1.23b9d4p-3f, 0x1.9991e4p-3f, -0x1.55554ap-2f});
-    return polynomial<T>(z, {-0x1.256359424e5eap-6, 0x1.37d287c62948bp-5, -0x1.9cd18d7209246p-5, 0x1.df0f0aa7dd591p-5,
-                             -0x1.10ebb416c6636p-4, 0x1.3b1118c57d137p-4, -0x1.745cf8d81ec5dp-4, 0x1.c71c70e5f0464p-4,
-                             -0x1.24924922ad28p-3, 0x1.9999999995866p-3, -0x1.555555555553dp-2});
+    else
+        return polynomial<T>(z,
+                             {-0x1.256359424e5eap-6, 0x1.37d287c62948bp-5, -0x1.9cd18d7209246p-5, 0x1.df0f0aa7dd591p-5,
+                              -0x1.10ebb416c6636p-4, 0x1.3b1118c57d137p-4, -0x1.745cf8d81ec5dp-4, 0x1.c71c70e5f0464p-4,
+                              -0x1.24924922ad28p-3, 0x1.9999999995866p-3, -0x1.555555555553dp-2});
 }
 
 template <class T>

@@ -11,9 +11,12 @@ namespace pelage::reference::functions {
 // sqrt(1/2) to sqrt(2), minimax.
 template <class T>
 T pow_tail(T z) {
-    if constexpr (single<T>) return polynomial<T>(z, {0x1.dfa3b4p-3f, 0x1.245278p-2f, 0x1.999ap-2f});
-    return polynomial<T>(z, {0x1.eacd52ec57d83p-4, 0x1.de3ca9d11d6p-4, 0x1.11207325d4d45p-3, 0x1.3b1364b59a6a1p-3,
-                             0x1.745d182985acfp-3, 0x1.c71c71c596643p-3, 0x1.2492492492f51p-2, 0x1.9999999999996p-2});
+    if constexpr (single<T>)
+        return polynomial<T>(z, {0x1.dfa3b4p-3f, 0x1.245278p-2f, 0x1.999ap-2f});
+    else
+        return polynomial<T>(z,
+                             {0x1.eacd52ec57d83p-4, 0x1.de3ca9d11d6p-4, 0x1.11207325d4d45p-3, 0x1.3b1364b59a6a1p-3,
+                              0x1.745d182985acfp-3, 0x1.c71c71c596643p-3, 0x1.2492492492f51p-2, 0x1.9999999999996p-2});
 }
 
 // ln x of positive x.

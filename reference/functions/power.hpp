@@ -19,9 +19,11 @@ T power_tail(T r) {
     if constexpr (single<T>)
         return polynomial<T>(
             r, {0x1.9a981p-13f, 0x1.6d5146p-10f, 0x1.1115b4p-7f, 0x1.5554e4p-5f, 0x1.555552p-3f, 0x1.0p-1f});
-    return polynomial<T>(r, {0x1.1eed10ba3ff62p-29, 0x1.af6e5bd233d8fp-26, 0x1.27e5339dbae4cp-22, 0x1.71ddee863632bp-19,
-                             0x1.a01a017d48c66p-16, 0x1.a01a01b43e1c9p-13, 0x1.6c16c16c1e5bdp-10, 0x1.111111110ea06p-7,
-                             0x1.5555555555544p-5, 0x1.555555555555cp-3, 0x1.0p-1});
+    else
+        return polynomial<T>(
+            r, {0x1.1eed10ba3ff62p-29, 0x1.af6e5bd233d8fp-26, 0x1.27e5339dbae4cp-22, 0x1.71ddee863632bp-19,
+                0x1.a01a017d48c66p-16, 0x1.a01a01b43e1c9p-13, 0x1.6c16c16c1e5bdp-10, 0x1.111111110ea06p-7,
+                0x1.5555555555544p-5, 0x1.555555555555cp-3, 0x1.0p-1});
 }
 
 // |x| < 174 (1400); |low| is at most about a rounding error of x.

@@ -16,15 +16,18 @@ template <class T>
 T sine_tail(T z) {
     if constexpr (single<T>)
         return polynomial<T>(z, {0x1.772d18p-19f, -0x1.a045f2p-13f, 0x1.111162p-7f, -0x1.555556p-3f});
-    return polynomial<T>(z,
-                         {-0x1.a5decc7e94758p-41, 0x1.61159b360f658p-33, -0x1.ae643ea2e69ecp-26, 0x1.71de3a4104cd4p-19,
-                          -0x1.a01a01a00769cp-13, 0x1.111111111108dp-7, -0x1.5555555555555p-3});
+    else
+        return polynomial<T>(
+            z, {-0x1.a5decc7e94758p-41, 0x1.61159b360f658p-33, -0x1.ae643ea2e69ecp-26, 0x1.71de3a4104cd4p-19,
+                -0x1.a01a01a00769cp-13, 0x1.111111111108dp-7, -0x1.5555555555555p-3});
 }
 template <class T>
 T cosine_tail(T z) {
-    if constexpr (single<T>) return polynomial<T>(z, {0x1.99df46p-16f, -0x1.6c0c16p-10f, 0x1.55554ap-5f});
-    return polynomial<T>(z, {-0x1.8f8e0900a589fp-37, 0x1.1ee9ac2468b4p-29, -0x1.27e4f7aa91f51p-22,
-                             0x1.a01a019c2afb3p-16, -0x1.6c16c16c14bf4p-10, 0x1.5555555555549p-5});
+    if constexpr (single<T>)
+        return polynomial<T>(z, {0x1.99df46p-16f, -0x1.6c0c16p-10f, 0x1.55554ap-5f});
+    else
+        return polynomial<T>(z, {-0x1.8f8e0900a589fp-37, 0x1.1ee9ac2468b4p-29, -0x1.27e4f7aa91f51p-22,
+                                 0x1.a01a019c2afb3p-16, -0x1.6c16c16c14bf4p-10, 0x1.5555555555549p-5});
 }
 
 // Cody and Waite, as in power.hpp: exact for angles up to some ten thousand turns.
