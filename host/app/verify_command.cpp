@@ -7,6 +7,8 @@
 #include "app/verification.hpp"
 #include "core/error.hpp"
 #include "io/atomic_file.hpp"
+#include "io/manifest.hpp"
+#include "verify/causes.hpp"
 #include "verify/report.hpp"
 
 #include <fmt/format.h>
@@ -50,8 +52,8 @@ std::vector<DeviceInfo> devices_of(const VerifyOptions& options) {
 
 void print_failures(const verify::DeviceReport& report, const VerifyOptions& options) {
     bool first = true;
-    for (const verify::Result& result : report.results) {
-        if (result.verdict != verify::Verdict::failed && result.verdict != verify::Verdict::mistrusted) continue;
+    if (const std::string causes = verify::causes_text(report.results); !causes.empty()) say("\n{}\n", causes);
+    for (const verify::Result& result : verify::failures(report.results)) {
         say("\n{}: {}\n", result.name, word(result.verdict));
         if (!result.first.empty()) say("  {}\n", result.first);
         if (!result.message.empty()) say("  {}\n", result.message);
@@ -100,6 +102,7 @@ int verify_all(const Request& request) {
     const std::vector<verify::Check> checks = selected(options);
     verify::Report report;
     report.version = PELAGE_VERSION;
+    report.date = iso_time(std::chrono::system_clock::now());
     report.seed = options.seed;
     report.form = options.full ? "full" : "quick";
     for (const DeviceInfo& device : devices_of(options)) {

@@ -11,10 +11,6 @@
 namespace pelage {
 namespace {
 
-std::string iso_time(std::chrono::system_clock::time_point time) {
-    return fmt::format("{:%Y-%m-%dT%H:%M:%SZ}", fmt::gmtime(std::chrono::system_clock::to_time_t(time)));
-}
-
 nlohmann::ordered_json options_of(const Manifest& manifest) {
     auto options = nlohmann::ordered_json::object();
     for (const auto& [name, flag, value] : manifest.options) {
@@ -69,6 +65,10 @@ nlohmann::ordered_json to_json(const Manifest& manifest, const Experiment& exper
 }
 
 }  // namespace
+
+std::string iso_time(std::chrono::system_clock::time_point time) {
+    return fmt::format("{:%Y-%m-%dT%H:%M:%SZ}", fmt::gmtime(std::chrono::system_clock::to_time_t(time)));
+}
 
 std::string manifest_text(const Manifest& manifest, const Experiment& experiment) {
     // Text that is not UTF-8 gets replacement characters.

@@ -15,6 +15,9 @@
 
 namespace pelage {
 
+// In UTC, as "2026-01-31T12:00:00Z".
+std::string iso_time(std::chrono::system_clock::time_point);
+
 struct OptionGiven {  // one option of the command line
     std::string name;
     bool flag = false;                 // it has no value

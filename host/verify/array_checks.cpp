@@ -3,6 +3,7 @@
 #include "language/parse.hpp"
 #include "reference/backend.hpp"
 #include "verify/array_text.hpp"
+#include "verify/blame.hpp"
 #include "verify/bounded.hpp"
 #include "verify/check.hpp"
 
@@ -98,7 +99,10 @@ private:
             const std::string when = fmt::format("{} x {}, {} iterations after the start", one.size.columns,
                                                  one.size.rows, states.back().iteration - state.iteration);
             add(outcome_.tally, states.back(), there, setting_.precision, when);
-            if (equal_before && !outcome_.tally.equal()) note_difference(text, states.back(), there, when);
+            if (!equal_before || outcome_.tally.equal()) continue;
+            note_difference(text, states.back(), there, when);
+            if (blame_.empty() && rounds_exactly(place_, setting_))
+                blame_ = blame({experiment, text, state, states.back().iteration - state.iteration}, place_, setting_);
         }
         if (states.back().conc != state.conc) changed_ = true;
         if (!rounds_exactly(place_, setting_)) one_by_one(experiment, states);
@@ -128,7 +132,7 @@ private:
         const std::string what = described({realm_, made_.world});
         if (!outcome_.tally.equal()) {
             outcome_.verdict = Verdict::failed;
-            outcome_.message = fmt::format("{}; the experiment, from iteration {} on:\n{}", what,
+            outcome_.message = fmt::format("{}\n{}the experiment, from iteration {} on:\n{}", what, blame_,
                                            Values(realm_, made_.world)["start"], text_);
         } else if (!changed_) {
             outcome_.verdict = place_.small() ? Verdict::skipped : Verdict::mistrusted;
@@ -141,7 +145,8 @@ private:
     Realm realm_;
     Setting setting_;
     Outcome outcome_;
-    std::string text_;  // of the experiment that differed first
+    std::string text_;   // of the experiment that differed first
+    std::string blame_;  // which of its rules that needs
     bool changed_ = false;
 };
 

@@ -39,6 +39,7 @@ struct DeviceReport {
 
 struct Report {
     std::string version;
+    std::string date;  // when it began, as 2026-01-31T12:00:00Z
     std::uint64_t seed = 1;
     std::string form;  // "quick" or "full"
     double seconds = 0.0;

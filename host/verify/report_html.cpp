@@ -1,6 +1,7 @@
 // See report.hpp: the report as one page that needs no other file.
 #include "core/counted.hpp"
 #include "io/file_bytes.hpp"
+#include "verify/causes.hpp"
 #include "verify/report.hpp"
 
 #include <fmt/format.h>
@@ -124,9 +125,9 @@ std::string section(const DeviceReport& report) {
                                    escaped(device.driver), escaped(device.version), escaped(report.build_options));
     text += fmt::format("<p>{} {}</p>\n", badge(total(report.results).verdict()), sentence(total(report.results)));
     text += kernels(report);
-    for (const Result& result : report.results) {
-        if (result.verdict == Verdict::failed || result.verdict == Verdict::mistrusted) text += failure(result);
-    }
+    const std::string causes = causes_text(report.results);
+    if (!causes.empty()) text += fmt::format("<p>Of what failed, {}.</p>\n", escaped(causes));
+    for (const Result& result : failures(report.results)) text += failure(result);
     return text + cases(report);
 }
 
@@ -136,9 +137,9 @@ std::string html(const Report& report) {
     std::string text = fmt::format(
         "<!DOCTYPE html>\n<html lang=\"en\"><head><meta charset=\"utf-8\"><meta name=\"viewport\" "
         "content=\"width=device-width\"><title>pelage verify</title><style>{}</style></head><body>\n"
-        "<h1>pelage verify: {}</h1>\n<p>Version {}, {} form, seed {}, {:.1f} s. {}</p>\n",
-        style, badge(total(report).verdict()), escaped(report.version), report.form, report.seed, report.seconds,
-        sentence(total(report)));
+        "<h1>pelage verify: {}</h1>\n<p>{}, version {}, {} form, seed {}, {:.1f} s. {}</p>\n",
+        style, badge(total(report).verdict()), escaped(report.date), escaped(report.version), report.form, report.seed,
+        report.seconds, sentence(total(report)));
     if (report.devices.size() > 1) {
         const std::vector<std::string> lines = unlike(report);
         text += lines.empty() ? "<p>All devices gave the same bits in every case that they share.</p>\n"

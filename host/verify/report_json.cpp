@@ -1,6 +1,8 @@
 // See report.hpp: the report as JSON, and results as they travel between processes.
 #include "verify/report.hpp"
 
+#include "verify/causes.hpp"
+
 #include <nlohmann/json.hpp>
 
 #include <cmath>
@@ -59,6 +61,7 @@ Json to_json(const DeviceReport& report) {
             {"correctly_rounded_division", device.correctly_rounded_divide_sqrt},
             {"build_options", report.build_options},
             {"summary", to_json(total(report.results))},
+            {"likely_at_fault", likely_roots(report.results)},
             {"kernels", kernels},
             {"cases", cases}};
 }
@@ -105,11 +108,8 @@ Result result_from_json(const Json& json) {
 
 // One device: its data stand at the top level. Several: one object each below "devices", all cases together besides.
 Json to_json(const Report& report) {
-    Json json{{"program", "pelage"},
-              {"version", report.version},
-              {"seed", report.seed},
-              {"form", report.form},
-              {"seconds", report.seconds}};
+    Json json{{"program", "pelage"}, {"version", report.version}, {"date", report.date},
+              {"seed", report.seed}, {"form", report.form},       {"seconds", report.seconds}};
     if (report.devices.size() == 1) {
         json.update(to_json(report.devices.front()));
         return json;

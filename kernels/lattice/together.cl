@@ -9,7 +9,9 @@
 
 // How often a group looks at its own strip before it does others': much shorter than a time slice, and longer than
 // groups wait that all run.
+#ifndef PATIENCE
 #define PATIENCE 2048
+#endif
 
 // Places of flags, each in a cache line of its own.
 #define ARRIVED 0
