@@ -7,6 +7,7 @@ target_compile_definitions(pelage_bench PRIVATE PELAGE_VERSION="${PROJECT_VERSIO
 target_link_libraries(pelage_bench
   PUBLIC pelage pelage_inside OpenCL::OpenCL nlohmann_json::nlohmann_json
   PRIVATE pelage_flags nanoflann::nanoflann)
+pelage_unite(pelage_bench)
 if(OpenMP_CXX_FOUND)
   target_link_libraries(pelage_bench PRIVATE OpenMP::OpenMP_CXX)
 else()
@@ -30,6 +31,7 @@ if(CAIRO_INCLUDE_DIR AND CAIRO_LIBRARY)
   set_target_properties(pelage_plot PROPERTIES OUTPUT_NAME pelage-plot)
   target_include_directories(pelage_plot SYSTEM PRIVATE ${CAIRO_INCLUDE_DIR})
   target_link_libraries(pelage_plot PRIVATE pelage_bench pelage_flags ${CAIRO_LIBRARY})
+  pelage_unite(pelage_plot)
 else()
   message(STATUS "Without cairo there is no pelage-plot: `pelage bench --plot` will say so")
 endif()

@@ -27,13 +27,16 @@ target_compile_definitions(pelage_command PRIVATE PELAGE_VERSION="${PROJECT_VERS
 target_link_libraries(pelage_command PRIVATE pelage_app pelage_flags)
 
 # Every file that knows the parser of the command line takes seconds to read it: they are compiled in one go.
-set_target_properties(pelage_app PROPERTIES UNITY_BUILD ON UNITY_BUILD_MODE GROUP)
-foreach(name bench_command check_command command_line completion completion_command devices_command help_command manual
-    options_of run_command tune_command validators verify_command)
-  set_source_files_properties(host/app/${name}.cpp PROPERTIES UNITY_GROUP command_line)
-endforeach()
+if(NOT CMAKE_UNITY_BUILD)
+  set_target_properties(pelage_app PROPERTIES UNITY_BUILD ON UNITY_BUILD_MODE GROUP)
+  foreach(name bench_command check_command command_line completion completion_command devices_command help_command manual
+      options_of run_command tune_command validators verify_command)
+    set_source_files_properties(host/app/${name}.cpp PROPERTIES UNITY_GROUP command_line)
+  endforeach()
+endif()
 
 # What takes time at run time is in the library and in the benchmarks' baselines; here it is compiling.
 foreach(target pelage_verify pelage_tune pelage_app pelage_command)
+  pelage_unite(${target})
   target_compile_options(${target} PRIVATE $<$<CONFIG:Release>:-O1>)
 endforeach()

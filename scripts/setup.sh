@@ -64,11 +64,11 @@ set_up_packages() {
 build_targets() {
     mkdir -p "$build"
     log=$build/build.log
-    # Nobody waits for tests of minutes to be built who does not run them; who configured before may have asked for them.
-    long=
-    [ -f "$build/CMakeCache.txt" ] || long=-DPELAGE_LONG_TESTS=OFF
-    # shellcheck disable=SC2086  # an empty option is no word
-    quietly cmake -S "$root" --preset release $long || exit 2
+    # Who configured before may have asked for the tests of minutes, and for files that are compiled one by one.
+    fresh=
+    [ -f "$build/CMakeCache.txt" ] || fresh='-DPELAGE_LONG_TESTS=OFF -DCMAKE_UNITY_BUILD=ON'
+    # shellcheck disable=SC2086  # some words, or none
+    quietly cmake -S "$root" --preset release $fresh || exit 2
     if [ -t 2 ]; then
         cmake --build "$build" --target "$@" >&2 || exit 2
     else

@@ -45,14 +45,14 @@ void explain_paths(const Experiment& experiment) {
     }
 }
 
-Experiment read(const std::string& file, const CheckOptions& options, Outline* outline) {
+Experiment read_checked(const std::string& file, const CheckOptions& options, Outline* outline) {
     return read_experiment(file, outline, StartPictures::read, settings_of(options.settings));
 }
 
 // How many warnings there are.
 std::size_t check_file(const std::string& file, const CheckOptions& options) {
     Outline outline;
-    const Experiment experiment = read(file, options, &outline);
+    const Experiment experiment = read_checked(file, options, &outline);
     const std::vector<Warning> warnings = lint(experiment, outline, experiment.last_iteration());
     say("{}: ok: {}, {}, {}, {}{}\n", experiment.source, counted(count_cells(experiment), "cell"),
         counted(experiment.chemicals.size(), "chemical"), counted(experiment.rules.size(), "rule"),
@@ -70,7 +70,7 @@ std::size_t check_file(const std::string& file, const CheckOptions& options) {
 void list_parameters(const CheckOptions& options) {
     nlohmann::ordered_json all = nlohmann::ordered_json::array();
     for (const std::string& file : options.files) {
-        const Experiment experiment = read(file, options, nullptr);
+        const Experiment experiment = read_checked(file, options, nullptr);
         all.push_back(parameters_json(experiment));
         if (!options.json) say("{}", parameters_text(experiment));
     }

@@ -3,6 +3,7 @@
 #include "app/memory.hpp"
 #include "app/prepare.hpp"
 #include "app/say.hpp"
+#include "app/text_table.hpp"
 #include "io/atomic_file.hpp"
 #include "opencl/device/device.hpp"
 
@@ -11,8 +12,6 @@
 #include <CLI/Formatter.hpp>
 #include <nlohmann/json.hpp>
 
-#include <algorithm>
-#include <array>
 #include <filesystem>
 #include <memory>
 #include <string>
@@ -22,16 +21,13 @@ namespace pelage::app {
 
 namespace {
 
-constexpr std::size_t column_count = 9;
-using Line = std::array<std::string, column_count>;
-
-Line heading() {
+TableLine heading() {
     return {"INDEX", "PLATFORM", "DEVICE", "VERSION", "DRIVER", "MEMORY", "FP64", "EXACT DIVISION", "USABLE"};
 }
 
 std::string yes_no(bool yes) { return yes ? "yes" : "no"; }
 
-Line line_of(const DeviceInfo& device) {
+TableLine line_of(const DeviceInfo& device) {
     return {std::to_string(device.index),
             device.platform,
             fmt::format("{} ({})", device.name, device.type),
@@ -44,17 +40,9 @@ Line line_of(const DeviceInfo& device) {
 }
 
 void print_table(const std::vector<DeviceInfo>& devices) {
-    std::vector<Line> lines{heading()};
+    std::vector<TableLine> lines{heading()};
     for (const DeviceInfo& device : devices) lines.push_back(line_of(device));
-    std::array<std::size_t, column_count> widths{};
-    for (const Line& line : lines) {
-        for (std::size_t i = 0; i < column_count; ++i) widths[i] = std::max(widths[i], line[i].size());
-    }
-    for (const Line& line : lines) {
-        std::string text;
-        for (std::size_t i = 0; i + 1 < column_count; ++i) text += fmt::format("{:<{}}  ", line[i], widths[i]);
-        say("{}{}\n", text, line.back());
-    }
+    say("{}", aligned(lines));
 }
 
 nlohmann::ordered_json json_of(const std::vector<DeviceInfo>& devices) {

@@ -1,6 +1,7 @@
 // See machine.hpp.
 #include "app/machine.hpp"
 
+#include "bench/yardstick.hpp"
 #include "core/error.hpp"
 #include "opencl/backend.hpp"
 #include "reference/backend.hpp"
@@ -9,20 +10,10 @@
 
 #include <algorithm>
 #include <cstdlib>
-#include <fstream>
 
 namespace pelage::app {
 
 namespace {
-
-std::string processor_name() {
-    std::ifstream file("/proc/cpuinfo");
-    for (std::string line; std::getline(file, line);) {
-        const auto colon = line.find(": ");
-        if (line.rfind("model name", 0) == 0 && colon != std::string::npos) return line.substr(colon + 2);
-    }
-    return "cpu";
-}
 
 Machine on_reference(const RunOptions& options, const Experiment& experiment) {
     if (!options.device.empty()) throw Error("--device chooses an OpenCL device; it goes with --backend opencl");
@@ -30,7 +21,7 @@ Machine on_reference(const RunOptions& options, const Experiment& experiment) {
     Machine machine{reference_backend(options.precision, options.neighbour_search(), options.sorting),
                     "reference",
                     {},
-                    processor_name(),
+                    bench::processor_name(),
                     __VERSION__,
                     "C++",
                     "-ffp-contract=off",

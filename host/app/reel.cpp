@@ -35,7 +35,7 @@ auto columns_of(State& state, const Experiment& experiment) {
 }
 
 template <class T>
-bool read(std::FILE* file, std::vector<T>& values) {
+bool read_values(std::FILE* file, std::vector<T>& values) {
     return std::fread(values.data(), sizeof(T), values.size(), file) == values.size();
 }
 
@@ -65,7 +65,7 @@ void Reel::take_up(std::uint64_t resumed_at) {
     if (!file_) return;
     std::vector<char> identity(identity_.size());
     long end = 0;
-    if (read(file_.get(), identity) && std::equal(identity.begin(), identity.end(), identity_.begin())) {
+    if (read_values(file_.get(), identity) && std::equal(identity.begin(), identity.end(), identity_.begin())) {
         end = std::ftell(file_.get());
         while (const auto state = read_record()) {
             if (state->iteration > resumed_at) break;
@@ -99,7 +99,7 @@ std::optional<Snapshot> Reel::read_record() {
     each_cell_column([&](const char*, auto& column) { column.assign(cells, {}); }, state);
     std::vector<float> values(cells);
     for (auto* column : columns_of(state, experiment_)) {
-        if (!read(file_.get(), values)) return std::nullopt;
+        if (!read_values(file_.get(), values)) return std::nullopt;
         column->assign(values.begin(), values.end());
     }
     return state;

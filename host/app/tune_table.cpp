@@ -2,12 +2,12 @@
 #include "app/tune_table.hpp"
 
 #include "app/progress.hpp"
+#include "app/text_table.hpp"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
 #include <algorithm>
-#include <array>
 #include <cstdlib>
 #include <string>
 #include <thread>
@@ -22,9 +22,6 @@ using tune::Candidate;
 using tune::Trial;
 using tune::Verdict;
 
-constexpr std::size_t column_count = 9;
-using Line = std::array<std::string, column_count>;
-
 std::string number_or_dash(std::size_t value) { return value == 0 ? "-" : std::to_string(value); }
 
 std::string across(const tune::Candidate& candidate) {
@@ -33,7 +30,7 @@ std::string across(const tune::Candidate& candidate) {
     return fmt::format("{} x {}", cut.columns, cut.rows);
 }
 
-Line line_of(const Trial& trial, std::size_t rank, double defaults) {
+TableLine line_of(const Trial& trial, std::size_t rank, double defaults) {
     const Candidate& candidate = trial.candidate;
     const bool good = trial.verdict == Verdict::good;
     return {good ? std::to_string(rank) : "-",
@@ -45,19 +42,6 @@ Line line_of(const Trial& trial, std::size_t rank, double defaults) {
             good ? fmt::format("{} million", megas(trial.updates_per_second)) : "-",
             good && defaults > 0 ? fmt::format("{:.2f} x", trial.updates_per_second / defaults) : "-",
             word(trial.verdict)};
-}
-
-std::string aligned(const std::vector<Line>& lines) {
-    std::array<std::size_t, column_count> widths{};
-    for (const Line& line : lines) {
-        for (std::size_t i = 0; i < column_count; ++i) widths[i] = std::max(widths[i], line[i].size());
-    }
-    std::string text;
-    for (const Line& line : lines) {
-        for (std::size_t i = 0; i + 1 < column_count; ++i) text += fmt::format("{:<{}}  ", line[i], widths[i]);
-        text += line.back() + "\n";
-    }
-    return text;
 }
 
 // Each once, with all that it befell.
@@ -124,8 +108,8 @@ std::string tuning_table(const Tuning& tuning, const DeviceInfo& device) {
     const std::string head = fmt::format("{} ({}, driver {}), {} cells, {}\n", device.name, device.platform,
                                          device.driver, record.key.size, record.key.precision);
     if (trials.empty()) return head + conclusion(tuning);
-    std::vector<Line> lines{{"RANK", "KERNEL", "WIDTH", "DEPTH", "COLUMNS x ROWS", "GROUP", "CELL-UPDATES/S",
-                             "AGAINST DEFAULTS", "VERDICT"}};
+    std::vector<TableLine> lines{{"RANK", "KERNEL", "WIDTH", "DEPTH", "COLUMNS x ROWS", "GROUP", "CELL-UPDATES/S",
+                                  "AGAINST DEFAULTS", "VERDICT"}};
     for (std::size_t i = 0; i < trials.size(); ++i) {
         lines.push_back(line_of(trials[i], i + 1, defaults == nullptr ? 0 : defaults->updates_per_second));
     }

@@ -22,7 +22,7 @@ struct Whole {
 };
 
 template <class Number>
-std::optional<Number> read(std::string_view text) {
+std::optional<Number> read_number(std::string_view text) {
     Number value{};
     const auto [end, failure] = std::from_chars(text.data(), text.data() + text.size(), value);
     if (failure != std::errc{} || end != text.data() + text.size()) return {};
@@ -34,12 +34,12 @@ std::optional<Whole> to_whole(std::string_view text) {
     Whole whole{text.starts_with('-'), 0};
     if (whole.negative) text.remove_prefix(1);
     if (text.empty() || text[0] == '-' || text[0] == '+') return {};
-    if (const auto digits = read<std::uint64_t>(text)) {
+    if (const auto digits = read_number<std::uint64_t>(text)) {
         whole.size = *digits;
         return whole;
     }
     constexpr double exact = 9007199254740992.0;  // 2^53: above it a double leaves whole numbers out
-    const auto value = read<double>(text);
+    const auto value = read_number<double>(text);
     if (!value || !std::isfinite(*value) || *value > exact || *value != std::floor(*value)) return {};
     whole.size = static_cast<std::uint64_t>(*value);
     return whole;
@@ -76,7 +76,7 @@ CLI::Validator one_of(const std::vector<std::string>& words) {
 
 CLI::Validator seconds(double shortest, double longest) {
     const auto look = [shortest, longest](std::string& word) -> std::string {
-        const auto value = read<double>(word);
+        const auto value = read_number<double>(word);
         if (value && *value >= shortest && *value <= longest) return {};
         return fmt::format("'{}' is not a number from {} to {}", word, shortest, longest);
     };

@@ -11,9 +11,9 @@ namespace pelage::bench {
 
 namespace {
 
-using Json = nlohmann::json;
+using nlohmann::json;
 
-Yardstick yardstick_of(const Json& one) {
+Yardstick yardstick_of(const json& one) {
     Yardstick made;
     made.device = one.at("device");
     made.driver = one.at("driver");
@@ -25,7 +25,7 @@ Yardstick yardstick_of(const Json& one) {
     return made;
 }
 
-Result result_of(const Json& one) {
+Result result_of(const json& one) {
     Result made;
     made.suite = one.at("suite");
     made.name = one.at("case");
@@ -49,7 +49,7 @@ Result result_of(const Json& one) {
     return made;
 }
 
-Note note_of(const Json& one) {
+Note note_of(const json& one) {
     return {one.at("suite"),  one.at("case"), one.at("size"), one.at("backend"),
             one.at("device"), one.at("text"), one.at("wrong")};
 }
@@ -59,15 +59,15 @@ Note note_of(const Json& one) {
 Report read_report(const std::filesystem::path& file) {
     const std::string text = read_file(file);
     try {
-        const Json json = Json::parse(text);
+        const json whole = json::parse(text);
         Report report;
-        for (const Json& one : json.at("devices")) report.yardsticks.push_back(yardstick_of(one));
-        for (const Json& one : json.at("results")) report.results.push_back(result_of(one));
-        for (const Json& one : json.at("notes")) report.notes.push_back(note_of(one));
-        report.load = json.at("load");
+        for (const json& one : whole.at("devices")) report.yardsticks.push_back(yardstick_of(one));
+        for (const json& one : whole.at("results")) report.results.push_back(result_of(one));
+        for (const json& one : whole.at("notes")) report.notes.push_back(note_of(one));
+        report.load = whole.at("load");
         if (report.yardsticks.empty()) throw Error(fmt::format("'{}' names no device", file.string()));
         return report;
-    } catch (const Json::exception& error) {
+    } catch (const json::exception& error) {
         throw Error(fmt::format("'{}' is not what `pelage bench --json` writes: {}", file.string(), error.what()));
     }
 }

@@ -14,13 +14,13 @@ namespace pelage {
 
 namespace {
 
-struct Interval {
+struct Extent {
     double low = 0.0;
     double high = 0.0;
 };
 
 // Where the values of a spread lie: drawn ones in float, as initial_state() draws them.
-Interval reach(const Spread& spread) {
+Extent reach(const Spread& spread) {
     const auto value = static_cast<float>(spread.value);
     const auto deviation = static_cast<float>(spread.deviation);
     if (deviation == 0.0f) return {spread.value, spread.value};
@@ -85,7 +85,7 @@ private:
     }
 
     void rate(std::size_t chemical, const Spread& spread) {
-        const Interval values = reach(spread);
+        const Extent values = reach(spread);
         if (!(values.low < 0.0)) return;
         if (drawn(spread)) {
             return note(true, true,
@@ -107,7 +107,7 @@ private:
 
     void concentration(std::size_t chemical, const Spread& spread) {
         if (experiment_.chemicals[chemical].initial) return;
-        const Interval values = reach(spread);
+        const Extent values = reach(spread);
         const Bounds& allowed = bounds(chemical);
         if (!below(values.low, allowed) && !above(values.high, allowed)) return;
         if (!drawn(spread)) {

@@ -17,9 +17,9 @@ namespace {
 
 namespace format = checkpoint_format;
 
-class Reader {
+class CheckpointReader {
 public:
-    Reader(std::string_view payload, const std::string& name) : rest_(payload), name_(name) {}
+    CheckpointReader(std::string_view payload, const std::string& name) : rest_(payload), name_(name) {}
 
     template <class T>
     void number(T& value) {
@@ -121,7 +121,7 @@ std::string_view checked_payload(std::string_view bytes, const std::string& name
 }  // namespace
 
 Checkpoint parse_checkpoint(std::string_view bytes, const std::string& name) {
-    Reader reader(checked_payload(bytes, name), name);
+    CheckpointReader reader(checked_payload(bytes, name), name);
     Checkpoint checkpoint;
     format::visit(reader, checkpoint);
     reader.finish();

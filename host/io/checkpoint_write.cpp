@@ -16,9 +16,9 @@ bool same_bits(const std::vector<T>& values) {
     return values.size() > 1 && std::memcmp(values.data(), values.data() + 1, (values.size() - 1) * sizeof(T)) == 0;
 }
 
-class Writer {
+class CheckpointWriter {
 public:
-    explicit Writer(AtomicFile& file) : file_(file) {}
+    explicit CheckpointWriter(AtomicFile& file) : file_(file) {}
 
     template <class T>
     void number(const T& value) {
@@ -63,7 +63,7 @@ private:
     Checksum sum_;
 };
 
-struct View {
+struct StateView {
     const Snapshot& snapshot;
     const CheckpointInfo& info;
 };
@@ -78,8 +78,8 @@ void write_checkpoint(const std::filesystem::path& path, const Snapshot& snapsho
     file.write(&format::version, sizeof format::version);
     std::uint64_t size = 0;
     file.write(&size, sizeof size);
-    Writer writer(file);
-    const View view{snapshot, info};
+    CheckpointWriter writer(file);
+    const StateView view{snapshot, info};
     format::visit(writer, view);
     const auto checksum = writer.checksum();
     file.write(&checksum, sizeof checksum);

@@ -18,8 +18,8 @@
 namespace pelage {
 namespace {
 
-constexpr std::size_t lines_at_once = 256;                   // a multiple of the 16 lines of a ZIP block
-constexpr std::size_t worth_threads = std::size_t{1} << 18;  // pixels
+constexpr std::size_t lines_at_once = 256;                          // a multiple of the 16 lines of a ZIP block
+constexpr std::size_t pixels_worth_threads = std::size_t{1} << 18;  // pixels
 
 Imf::PixelType pixel_type(const ExrChannel& channel) { return channel.type == ExrType::half ? Imf::HALF : Imf::FLOAT; }
 
@@ -96,7 +96,7 @@ void write_pixels(Imf::OutputFile& file, std::size_t columns, std::size_t rows,
 
 // Threads that compress, beside the one that writes; the library keeps them for all its files.
 int helping_threads(std::size_t pixels) {
-    if (pixels < worth_threads) return 0;
+    if (pixels < pixels_worth_threads) return 0;
     static const int count = [] {
         const auto threads = static_cast<int>(std::min(16u, std::thread::hardware_concurrency()));
         if (threads < 2) return 0;

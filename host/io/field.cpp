@@ -15,7 +15,6 @@ namespace {
 
 constexpr std::string_view png_magic{"\x89PNG\r\n\x1a\n", 8};
 constexpr std::string_view exr_magic{"\x76\x2f\x31\x01", 4};
-constexpr std::string_view npy_magic{"\x93NUMPY", 6};
 
 // No compression of PNG or EXR gains more than this in practice (deflate: 1032).
 constexpr std::size_t largest_gain = 4096;

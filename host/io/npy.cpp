@@ -18,8 +18,6 @@
 namespace pelage {
 namespace {
 
-constexpr std::string_view magic{"\x93NUMPY", 6};
-
 struct Type {
     std::size_t size;
     double (*load)(const char*);
@@ -46,7 +44,7 @@ Type find_type(const std::string& descr, std::string_view name) {
 
 // Where the header's text lies in the file.
 std::string_view header_text(std::string_view bytes, std::string_view name) {
-    if (bytes.substr(0, magic.size()) != magic) throw Error(fmt::format("'{}' is not an .npy file", name));
+    if (bytes.substr(0, npy_magic.size()) != npy_magic) throw Error(fmt::format("'{}' is not an .npy file", name));
     const auto truncated = [&] { return Error(fmt::format("'{}' is truncated: its .npy header is not whole", name)); };
     if (bytes.size() < 10) throw truncated();
     const int version = static_cast<unsigned char>(bytes[6]);
@@ -121,7 +119,7 @@ void write_npy(const std::filesystem::path& path, const std::vector<std::size_t>
     header += '\n';
 
     AtomicFile file(path);
-    file.write(magic);
+    file.write(npy_magic);
     const std::array<char, 4> version_and_length{1, 0, static_cast<char>(header.size() & 0xff),
                                                  static_cast<char>(header.size() >> 8)};
     file.write(version_and_length.data(), version_and_length.size());

@@ -9,6 +9,8 @@
 
 namespace pelage {
 
+inline constexpr std::string_view npy_magic{"\x93NUMPY", 6};  // how such a file begins
+
 struct NpyArray {
     std::vector<std::size_t> shape;  // empty: one number
     std::vector<double> values;      // row-major (C order), whatever the order in the file

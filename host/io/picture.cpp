@@ -19,13 +19,13 @@ struct Sink {
     std::array<char, 128> message{};
 };
 
-void on_error(png_structp png, png_const_charp text) {
+void on_write_error(png_structp png, png_const_charp text) {
     auto* sink = static_cast<Sink*>(png_get_error_ptr(png));
     std::strncpy(sink->message.data(), text, sink->message.size() - 1);
     png_longjmp(png, 1);
 }
 
-void on_warning(png_structp, png_const_charp) {}
+void on_write_warning(png_structp, png_const_charp) {}
 
 // No exception may pass through libpng.
 bool append(std::string& to, png_bytep bytes, std::size_t count) noexcept {
@@ -43,25 +43,25 @@ void on_write(png_structp png, png_bytep bytes, std::size_t count) {
 
 void on_flush(png_structp) {}
 
-struct Writer {
-    Writer() : png(png_create_write_struct(PNG_LIBPNG_VER_STRING, &sink, on_error, on_warning)) {
+struct PngWriter {
+    PngWriter() : png(png_create_write_struct(PNG_LIBPNG_VER_STRING, &sink, on_write_error, on_write_warning)) {
         if (png != nullptr) info = png_create_info_struct(png);
     }
-    ~Writer() { png_destroy_write_struct(&png, &info); }
-    Writer(const Writer&) = delete;
-    Writer& operator=(const Writer&) = delete;
+    ~PngWriter() { png_destroy_write_struct(&png, &info); }
+    PngWriter(const PngWriter&) = delete;
+    PngWriter& operator=(const PngWriter&) = delete;
 
     Sink sink;
     png_structp png = nullptr;
     png_infop info = nullptr;
 };
 
-struct Format {
+struct PixelFormat {
     int depth;
     int colour_type;
 };
 
-bool write_header(Writer& writer, png_uint_32 columns, png_uint_32 rows, const Format& format) {
+bool write_header(PngWriter& writer, png_uint_32 columns, png_uint_32 rows, const PixelFormat& format) {
     if (setjmp(png_jmpbuf(writer.png)) != 0) return false;
     png_set_user_limits(writer.png, PNG_UINT_31_MAX, PNG_UINT_31_MAX);
     png_set_write_fn(writer.png, &writer.sink, on_write, on_flush);
@@ -73,22 +73,22 @@ bool write_header(Writer& writer, png_uint_32 columns, png_uint_32 rows, const F
     return true;
 }
 
-bool write_row(Writer& writer, png_const_bytep row) {
+bool write_row(PngWriter& writer, png_const_bytep row) {
     if (setjmp(png_jmpbuf(writer.png)) != 0) return false;
     png_write_row(writer.png, row);
     return true;
 }
 
-bool write_end(Writer& writer) {
+bool write_end(PngWriter& writer) {
     if (setjmp(png_jmpbuf(writer.png)) != 0) return false;
     png_write_end(writer.png, nullptr);
     return true;
 }
 
 template <class Pixel>
-bool write_picture(Writer& writer, const PictureOf<Pixel>& picture) {
-    const Format format{8 * static_cast<int>(sizeof(typename Pixel::value_type)),
-                        std::tuple_size_v<Pixel> == 1 ? PNG_COLOR_TYPE_GRAY : PNG_COLOR_TYPE_RGB};
+bool write_picture(PngWriter& writer, const PictureOf<Pixel>& picture) {
+    const PixelFormat format{8 * static_cast<int>(sizeof(typename Pixel::value_type)),
+                             std::tuple_size_v<Pixel> == 1 ? PNG_COLOR_TYPE_GRAY : PNG_COLOR_TYPE_RGB};
     if (!write_header(writer, static_cast<png_uint_32>(picture.columns), static_cast<png_uint_32>(picture.rows),
                       format)) {
         return false;
@@ -101,7 +101,7 @@ bool write_picture(Writer& writer, const PictureOf<Pixel>& picture) {
 
 template <class Pixel>
 void write_file_of(const std::filesystem::path& path, const PictureOf<Pixel>& picture) {
-    Writer writer;
+    PngWriter writer;
     if (writer.info == nullptr || picture.pixels.empty() || !write_picture(writer, picture)) {
         throw Error(fmt::format("cannot write '{}': {} x {} pixels do not make a PNG picture ({})", path.string(),
                                 picture.columns, picture.rows, writer.sink.message.data()));

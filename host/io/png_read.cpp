@@ -18,13 +18,13 @@ struct Source {
     std::array<char, 128> message{};
 };
 
-void on_error(png_structp png, png_const_charp text) {
+void on_read_error(png_structp png, png_const_charp text) {
     auto* source = static_cast<Source*>(png_get_error_ptr(png));
     std::strncpy(source->message.data(), text, source->message.size() - 1);
     png_longjmp(png, 1);
 }
 
-void on_warning(png_structp, png_const_charp) {}
+void on_read_warning(png_structp, png_const_charp) {}
 
 void on_read(png_structp png, png_bytep to, std::size_t count) {
     auto* source = static_cast<Source*>(png_get_io_ptr(png));
@@ -34,14 +34,14 @@ void on_read(png_structp png, png_bytep to, std::size_t count) {
     source->left -= count;
 }
 
-struct Reader {
-    explicit Reader(std::string_view bytes) : source{bytes.data(), bytes.size(), {}} {
-        png = png_create_read_struct(PNG_LIBPNG_VER_STRING, &source, on_error, on_warning);
+struct PngReader {
+    explicit PngReader(std::string_view bytes) : source{bytes.data(), bytes.size(), {}} {
+        png = png_create_read_struct(PNG_LIBPNG_VER_STRING, &source, on_read_error, on_read_warning);
         if (png != nullptr) info = png_create_info_struct(png);
     }
-    ~Reader() { png_destroy_read_struct(&png, &info, nullptr); }
-    Reader(const Reader&) = delete;
-    Reader& operator=(const Reader&) = delete;
+    ~PngReader() { png_destroy_read_struct(&png, &info, nullptr); }
+    PngReader(const PngReader&) = delete;
+    PngReader& operator=(const PngReader&) = delete;
 
     Source source;
     png_structp png = nullptr;
@@ -49,7 +49,7 @@ struct Reader {
     int passes = 1;
 };
 
-bool read_header(Reader& reader) {
+bool read_header(PngReader& reader) {
     if (setjmp(png_jmpbuf(reader.png)) != 0) return false;
     png_set_user_limits(reader.png, PNG_UINT_31_MAX, PNG_UINT_31_MAX);
     png_set_read_fn(reader.png, &reader.source, on_read);
@@ -57,7 +57,7 @@ bool read_header(Reader& reader) {
     return true;
 }
 
-bool begin_rows(Reader& reader) {  // makes buffers of the header's width
+bool begin_rows(PngReader& reader) {  // makes buffers of the header's width
     if (setjmp(png_jmpbuf(reader.png)) != 0) return false;
     png_set_expand(reader.png);  // palettes to RGB, few bits to 8, transparency to alpha
     reader.passes = png_set_interlace_handling(reader.png);
@@ -65,13 +65,13 @@ bool begin_rows(Reader& reader) {  // makes buffers of the header's width
     return true;
 }
 
-bool read_row(Reader& reader, png_bytep row) {
+bool read_row(PngReader& reader, png_bytep row) {
     if (setjmp(png_jmpbuf(reader.png)) != 0) return false;
     png_read_row(reader.png, row, nullptr);
     return true;
 }
 
-bool read_end(Reader& reader) {
+bool read_end(PngReader& reader) {
     if (setjmp(png_jmpbuf(reader.png)) != 0) return false;
     png_read_end(reader.png, nullptr);
     return true;
@@ -80,7 +80,7 @@ bool read_end(Reader& reader) {
 // One pixel's value from its samples, all scaled to 0..1.
 class Picker {
 public:
-    Picker(const Reader& reader, const std::string& channel, const std::string& name)
+    Picker(const PngReader& reader, const std::string& channel, const std::string& name)
         : channels_(png_get_channels(reader.png, reader.info)),
           bytes_(png_get_bit_depth(reader.png, reader.info) / 8u),
           wanted_(channel.empty() ? 'L' : channel[0]) {
@@ -119,14 +119,14 @@ private:
     char wanted_;
 };
 
-[[noreturn]] void fail(const Reader& reader, const std::string& name) {
+[[noreturn]] void fail(const PngReader& reader, const std::string& name) {
     throw Error(fmt::format("'{}' is a corrupted PNG picture: {}", name, reader.source.message.data()));
 }
 
 }  // namespace
 
 Field parse_png(std::string_view bytes, const std::string& channel, const std::string& name) {
-    Reader reader(bytes);
+    PngReader reader(bytes);
     if (reader.info == nullptr) throw Error(fmt::format("'{}' cannot be read: libpng cannot start", name));
     if (!read_header(reader)) fail(reader, name);
     Field field{png_get_image_width(reader.png, reader.info), png_get_image_height(reader.png, reader.info), {}};

@@ -12,7 +12,7 @@
 namespace pelage {
 namespace {
 
-constexpr double white = 65535.0;
+constexpr double full_scale = 65535.0;
 
 void check(std::span<const double> values, std::size_t columns, std::size_t rows) {
     if (values.size() == columns * rows && !values.empty()) return;
@@ -79,7 +79,7 @@ GreyPicture height_map(std::span<const double> values, std::size_t columns, std:
             const double value = values[row * columns + column];
             const double place = flat ? 0.5 : std::clamp((value - range.low) / length, 0.0, 1.0);
             picture.at(column, rows - 1 - row) = {
-                static_cast<std::uint16_t>(std::isnan(value) ? 0 : std::lround(place * white))};
+                static_cast<std::uint16_t>(std::isnan(value) ? 0 : std::lround(place * full_scale))};
         }
     }
     return picture;

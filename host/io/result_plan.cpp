@@ -17,7 +17,7 @@
 namespace pelage {
 namespace {
 
-constexpr std::size_t worth_threads = std::size_t{1} << 16;  // cells
+constexpr std::size_t cells_worth_threads = std::size_t{1} << 16;  // cells
 
 // A chemical's name as part of a file's.
 std::string file_word(const std::string& name) {
@@ -56,7 +56,7 @@ std::vector<std::string> ResultPlan::write() {
     if (experiment_.texture && (wanted(Format::exr) || wanted(Format::png)))
         plan_texture((*experiment_.texture)[0], (*experiment_.texture)[1]);
     if (options_.before) options_.before(files_);
-    const bool large = snapshot_.cells() >= worth_threads || experiment_.texture;
+    const bool large = snapshot_.cells() >= cells_worth_threads || experiment_.texture;
     run_together(work_, large ? std::thread::hardware_concurrency() : 1);
     return files_;
 }

@@ -6,7 +6,7 @@
 namespace pelage {
 namespace {
 
-constexpr std::string_view replacement = "\xef\xbf\xbd";
+constexpr std::string_view replacement_character = "\xef\xbf\xbd";
 
 bool within(std::string_view text, std::size_t at, unsigned low, unsigned high) {
     if (at >= text.size()) return false;
@@ -37,7 +37,7 @@ std::string valid_utf8(std::string_view text) {
     result.reserve(text.size());
     while (!text.empty()) {
         const auto length = character_length(text);
-        result += length == 0 ? replacement : text.substr(0, length);
+        result += length == 0 ? replacement_character : text.substr(0, length);
         text.remove_prefix(length == 0 ? 1 : length);
     }
     return result;

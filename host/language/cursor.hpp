@@ -31,15 +31,17 @@ Error error_at(std::string_view source, Place, std::string_view text);
 // Where a parameter stands for a whole number: beyond it doubles are no longer all whole numbers.
 inline constexpr double largest_whole = 9007199254740992.0;
 
+inline constexpr double infinity = std::numeric_limits<double>::infinity();
+
 // Allowed values of a number: low <= value <= high, or low < value, in float too, when `above`.
 struct Range {
-    double low = -std::numeric_limits<double>::infinity();
-    double high = std::numeric_limits<double>::infinity();
+    double low = -infinity;
+    double high = infinity;
     bool above = false;
 };
 inline constexpr Range any_number{};
-inline constexpr Range positive{0.0, std::numeric_limits<double>::infinity(), true};
-inline constexpr Range not_negative{0.0, std::numeric_limits<double>::infinity(), false};
+inline constexpr Range positive{0.0, infinity, true};
+inline constexpr Range not_negative{0.0, infinity, false};
 inline constexpr Range fraction{0.0, 1.0, false};
 
 // A decimal number that float can hold, with an optional sign; empty when `text` is none.

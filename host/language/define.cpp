@@ -14,7 +14,6 @@ namespace pelage::language {
 namespace {
 
 constexpr std::array<std::string_view, 6> chemical_words{"limit", "floor", "conc", "channel", "from", "anisotropic"};
-constexpr double infinity = std::numeric_limits<double>::infinity();
 
 struct PictureOptions {
     const Token* file = nullptr;

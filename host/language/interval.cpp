@@ -14,8 +14,6 @@ namespace pelage::language {
 
 namespace {
 
-constexpr double infinity = std::numeric_limits<double>::infinity();
-
 struct Interval {  // both ends included
     double low = -infinity;
     double high = infinity;

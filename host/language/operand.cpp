@@ -12,26 +12,26 @@ namespace pelage::language {
 
 namespace {
 
-struct Word {
+struct QuantityWord {
     std::string_view text;
     Quantity quantity;
 };
 
-constexpr std::array<Word, 11> words{{{"NEIGHBORS", Quantity::neighbours},
-                                      {"AGE", Quantity::age},
-                                      {"BIRTH", Quantity::birth},
-                                      {"X", Quantity::x},
-                                      {"Y", Quantity::y},
-                                      {"ROW", Quantity::row},
-                                      {"COLUMN", Quantity::column},
-                                      {"ROWS", Quantity::rows},
-                                      {"COLUMNS", Quantity::columns},
-                                      {"ITERATION", Quantity::iteration},
-                                      {"RANDOM", Quantity::random}}};
+constexpr std::array<QuantityWord, 11> words{{{"NEIGHBORS", Quantity::neighbours},
+                                              {"AGE", Quantity::age},
+                                              {"BIRTH", Quantity::birth},
+                                              {"X", Quantity::x},
+                                              {"Y", Quantity::y},
+                                              {"ROW", Quantity::row},
+                                              {"COLUMN", Quantity::column},
+                                              {"ROWS", Quantity::rows},
+                                              {"COLUMNS", Quantity::columns},
+                                              {"ITERATION", Quantity::iteration},
+                                              {"RANDOM", Quantity::random}}};
 
-const Word* find_word(std::string_view text) {
+const QuantityWord* find_word(std::string_view text) {
     const auto* const found =
-        std::find_if(words.begin(), words.end(), [&](const Word& word) { return word.text == text; });
+        std::find_if(words.begin(), words.end(), [&](const QuantityWord& word) { return word.text == text; });
     return found == words.end() ? nullptr : found;
 }
 
@@ -44,7 +44,7 @@ bool needs_lattice(Quantity quantity) {
     const Token& token = cursor.peek();
     std::vector<std::string_view> allowed{"a number"};
     for (const Parameter& one : script.experiment.parameters) allowed.push_back(one.name);
-    for (const Word& word : words) allowed.push_back(word.text);
+    for (const QuantityWord& word : words) allowed.push_back(word.text);
     const std::string named = listed(script.chemical_names());
     const std::string chemicals = fmt::format("conc or diff of a chemical ({})", named);
     allowed.push_back(chemicals);
@@ -65,7 +65,7 @@ bool numeric(std::string_view text) {
 
 std::vector<std::string_view> words_of_quantities() {
     std::vector<std::string_view> texts;
-    for (const Word& word : words) texts.push_back(word.text);
+    for (const QuantityWord& word : words) texts.push_back(word.text);
     return texts;
 }
 
@@ -77,7 +77,7 @@ Operand parse_operand(Script& script, Cursor& cursor, std::string_view what) {
         cursor.next();
         return cursor.choose(targets) == 0 ? Operand::concentration(*chemical) : Operand::rate(*chemical);
     }
-    if (const Word* word = find_word(token.text)) {
+    if (const QuantityWord* word = find_word(token.text)) {
         if (needs_lattice(word->quantity)) script.needs_lattice(cursor, token);
         cursor.next();
         return {word->quantity, 0.0, 0};

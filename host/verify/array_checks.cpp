@@ -19,8 +19,6 @@ namespace {
 
 constexpr std::size_t pairs = 2;
 constexpr std::size_t triples = 3;
-constexpr std::size_t small_cells = 260;   // for simulators
-constexpr std::size_t enough_cells = 200;  // a picture of fewer tells little
 constexpr std::size_t strides_if_small = 2;
 
 std::size_t several(const Place& place) {

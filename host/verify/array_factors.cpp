@@ -48,7 +48,7 @@ std::vector<Factor> cell_worlds() {
             {"ends", {"free", "bounded"}}};
 }
 
-std::vector<std::string> quantities(Realm realm, const char* first) {
+std::vector<std::string> quantity_levels(Realm realm, const char* first) {
     std::vector<std::string> words{first, "number", "conc",  "diff",      "mapping",   "X",
                                    "Y",   "AGE",    "BIRTH", "ITERATION", "NEIGHBORS", "RANDOM"};
     if (realm == Realm::lattice) words.insert(words.end(), {"ROW", "COLUMN", "ROWS", "COLUMNS"});
@@ -60,9 +60,9 @@ std::vector<Factor> rules_of(Realm realm) {
     if (realm == Realm::cells) actions.insert(actions.end(), {"divide", "move"});
     for (const ModelFacts& model : model_table()) actions.push_back("react " + model.word);
     return {{"action", actions},
-            {"amount", quantities(realm, "nothing")},
+            {"amount", quantity_levels(realm, "nothing")},
             {"condition", {"always", "==", "!=", "<", "<=", ">", ">=", "in", "probability"}},
-            {"read", quantities(realm, "nothing")},
+            {"read", quantity_levels(realm, "nothing")},
             {"against", {"nothing", "number", "alike", "other"}},
             {"target", {"first", "middle", "last"}},
             {"when", {"always", "interval", "every", "offset", "phase"}},

@@ -12,8 +12,6 @@ namespace pelage::verify {
 
 namespace {
 
-constexpr double infinite = std::numeric_limits<double>::infinity();
-
 // The same reaction and diffusion under every kind of bounds; all but the last are reached.
 Experiment saturated(Lab lab) {
     const std::array<Bounds, 6> kinds{

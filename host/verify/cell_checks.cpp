@@ -19,13 +19,13 @@ namespace {
 
 constexpr std::uint64_t iterations = 40;
 constexpr std::uint64_t stride = 8;
-constexpr std::uint64_t small_iterations = 3;
+constexpr std::uint64_t iterations_if_small = 3;
 // Others are left to the generated ones.
-constexpr std::array<std::string_view, 4> quick_cases{"cells/turing", "cells/at-one-place",
-                                                      "cells/divide-in-several-ways", "cells/divide-while-polarized"};
+constexpr std::array<std::string_view, 4> quick_cell_cases{
+    "cells/turing", "cells/at-one-place", "cells/divide-in-several-ways", "cells/divide-while-polarized"};
 
 bool quick(const std::string& name) {
-    return std::ranges::find(quick_cases, std::string_view(name)) != quick_cases.end();
+    return std::ranges::find(quick_cell_cases, std::string_view(name)) != quick_cell_cases.end();
 }
 
 void follow(Outcome& outcome, const std::vector<Snapshot>& expected, const Experiment& experiment,
@@ -76,7 +76,7 @@ Outcome check_cells(const CellCase& one, Place& place, const std::vector<Setting
     const Experiment experiment = parse_experiment(one.text(), one.name, ".");
     Snapshot initial = initial_state(experiment);
     if (touch) touch(initial);
-    const std::uint64_t last = place.small() ? small_iterations : iterations;
+    const std::uint64_t last = place.small() ? iterations_if_small : iterations;
     const std::size_t count = std::min<std::size_t>(place.small() ? 2 : settings.size(), settings.size());
     std::vector<Snapshot> states{initial};
     for (std::size_t i = 0; i < count; ++i) {
@@ -99,8 +99,8 @@ Outcome check_cells(const CellCase& one, Place& place, const std::vector<Setting
     return outcome;
 }
 
-const CellCase mirrored{"cells/mirror-pairs",
-                        "rule always react A B scale 0.01 turing alpha 16 beta 12\nrule probability 0.02 divide\n"};
+const CellCase mirror_pairs{"cells/mirror-pairs",
+                            "rule always react A B scale 0.01 turing alpha 16 beta 12\nrule probability 0.02 divide\n"};
 
 const CellCase& case_named(std::string_view name) { return *std::ranges::find(cell_cases(), name, &CellCase::name); }
 
@@ -122,7 +122,7 @@ void make_late(Snapshot& state) {
 void pair_cells(Snapshot& state) { state.mirrors = {{0, 12}, {1, 11}, {11, 2}, {100, 5}, {5, 12}}; }
 
 // Subnormal numbers, in and out: values about the smallest normal number, some of them below it.
-Outcome near_zero(Place& place) {
+Outcome cells_near_zero(Place& place) {
     const std::string& why_not = place.subnormal_difference();
     if (!why_not.empty()) return {Verdict::skipped, {}, why_not, {}};
     const CellCase one{"cells/near-zero",
@@ -136,7 +136,7 @@ Outcome near_zero(Place& place) {
 }
 
 // More cells than 16 bits count, the last of them born in the run, with draws for each.
-constexpr const char* crowd = R"(
+constexpr const char* crowd_of_cells = R"(
 define chemical A limit 6
 define chemical B
 use seed 5
@@ -153,12 +153,12 @@ rule probability 0.01 divide direction M dev 120
 Outcome many_cells(Place& place) {
     if (place.small()) return {Verdict::skipped, {}, "left out with --small", {}};
     Outcome outcome;
-    const Experiment experiment = parse_experiment(crowd, "many cells", ".");
+    const Experiment experiment = parse_experiment(crowd_of_cells, "many cells", ".");
     const Snapshot initial = initial_state(experiment);
     const auto expected = reference_backend(Precision::single_)->make_tissue(experiment, initial);
     const auto found = place.backend({}).make_tissue(experiment, initial);
     std::vector<Snapshot> states{initial};
-    for (const std::uint64_t count : {1, 2}) {
+    for (const std::uint64_t count : {1u, 2u}) {
         expected->advance(count);
         found->advance(count);
         states.push_back(expected->read());
@@ -185,19 +185,19 @@ std::vector<Check> cell_checks() {
         checks.push_back({one.name, one.divides() ? "division" : "cell step", quick(one.name), run});
     }
     checks.push_back({"cells/mirror-pairs", "cell step", false, [](Place& place) {
-                          return check_cells(mirrored, place, {{}, {.path = Path::shared}}, pair_cells);
+                          return check_cells(mirror_pairs, place, {{}, {.path = Path::shared}}, pair_cells);
                       }});
     checks.push_back({late.name, "cell step", false,
                       [](Place& place) { return check_cells(late, place, settings_of(place), make_late); }});
     checks.push_back({"cells/spatial-sorting", "neighbour search", true, [](Place& place) {
-                          return check_cells(mirrored, place, {{.search = NeighbourSearch::spatial_sorting}});
+                          return check_cells(mirror_pairs, place, {{.search = NeighbourSearch::spatial_sorting}});
                       }});
     checks.push_back({"cells/spatial-sorting-at-one-place", "neighbour search", false, [](Place& place) {
                           return check_cells(case_named("cells/at-one-place"), place,
                                              {{.search = NeighbourSearch::spatial_sorting}});
                       }});
 
-    checks.push_back({"cells/near-zero", "special values", true, near_zero});
+    checks.push_back({"cells/near-zero", "special values", true, cells_near_zero});
     checks.push_back({"cells/many", "division", true, many_cells});
     return checks;
 }

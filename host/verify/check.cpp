@@ -13,7 +13,7 @@ namespace pelage::verify {
 
 namespace {
 
-constexpr cl_uint long_loop = 70'000;
+constexpr cl_uint turns_wanted = 70'000;
 
 const char* const loop_kernel = R"(
 kernel void pelage_count_turns(global volatile uint* turns, const uint most) {
@@ -78,13 +78,13 @@ std::uint64_t Place::loop_limit() {
         cl::Kernel kernel(on.build(loop_kernel), "pelage_count_turns");
         const cl::Buffer result = on.buffer(2 * sizeof(cl_uint), "turns of a loop");
         kernel.setArg(0, result);
-        kernel.setArg(1, long_loop);
+        kernel.setArg(1, turns_wanted);
         on.launch(kernel, cl::NDRange(1), cl::NDRange(1));
         cl_uint found = 0;
         on.queue().enqueueReadBuffer(result, CL_TRUE, 0, sizeof found, &found);
         return found;
     });
-    loop_limit_ = turns == long_loop ? 0 : turns;
+    loop_limit_ = turns == turns_wanted ? 0 : turns;
     return *loop_limit_;
 }
 

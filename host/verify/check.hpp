@@ -34,6 +34,9 @@ struct Setting {
     std::string text() const;  // "double", "double, streamed", "work-group 3"; empty for the default
 };
 
+inline constexpr std::size_t enough_cells = 200;  // fewer are soon all the same, which proves nothing
+inline constexpr std::size_t small_cells = 260;   // no more where a device is a simulator
+
 // The device under test: every buffer is guarded, every output poisoned. Not for several threads.
 class Place {
 public:

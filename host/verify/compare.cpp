@@ -16,24 +16,24 @@ namespace pelage::verify {
 
 namespace {
 
-bool same(double a, double b) {
+bool same_number(double a, double b) {
     return std::bit_cast<std::uint64_t>(a) == std::bit_cast<std::uint64_t>(b) && !std::isnan(a);
 }
 template <class V>
-bool same(const V& a, const V& b) {
+bool same_number(const V& a, const V& b) {
     return a == b;
 }
 
-std::string shown(double value) { return fmt::format("{:a} ({})", value, value); }
+std::string with_bits(double value) { return fmt::format("{:a} ({})", value, value); }
 template <std::integral V>
-std::string shown(V value) {
+std::string with_bits(V value) {
     return std::to_string(value);
 }
-std::string shown(const std::pair<std::uint32_t, std::uint32_t>& pair) {
+std::string with_bits(const std::pair<std::uint32_t, std::uint32_t>& pair) {
     return fmt::format("{} and {}", pair.first, pair.second);
 }
 
-class Comparison {
+class Comparer {
 public:
     void columns(const std::string& name, const ColumnList& expected, const ColumnList& found) {
         if (expected.size() != found.size()) {
@@ -55,13 +55,13 @@ public:
         std::size_t count = 0;
         std::size_t first = 0;
         for (std::size_t i = expected.size(); i-- > 0;) {
-            if (same(expected[i], found[i])) continue;
+            if (same_number(expected[i], found[i])) continue;
             ++count;
             first = i;
         }
         if (count == 0) return;
         lines.push_back(fmt::format("{}: {} of {} elements differ, first [{}]: {} expected, {} found", name, count,
-                                    expected.size(), first, shown(expected[first]), shown(found[first])));
+                                    expected.size(), first, with_bits(expected[first]), with_bits(found[first])));
     }
 
     std::vector<std::string> lines;
@@ -70,7 +70,7 @@ public:
 }  // namespace
 
 std::vector<std::string> differences(const Snapshot& expected, const Snapshot& found) {
-    Comparison comparison;
+    Comparer comparison;
     comparison.columns("shape", std::vector<std::uint64_t>{expected.iteration, expected.columns, expected.rows},
                        std::vector<std::uint64_t>{found.iteration, found.columns, found.rows});
     comparison.columns("origin", std::vector<double>{expected.origin_x, expected.origin_y},

@@ -31,7 +31,7 @@ void drop(ColumnList& a, ColumnList& b) {
     for (std::size_t i = 0; i < std::min(a.size(), b.size()); ++i) drop(a[i], b[i]);
 }
 
-std::string shown(const std::optional<NonFinite>& found) {
+std::string place_of(const std::optional<NonFinite>& found) {
     return found ? fmt::format("cell {} of chemical {}", found->cell, found->chemical) : "none";
 }
 
@@ -41,8 +41,8 @@ std::string compared(const Tissue& expected, const Tissue& found) {
     drop_shared_nans(a, b);
     std::string text;
     for (const std::string& line : differences(a, b)) text += line + "\n";
-    const std::string first_a = shown(expected.non_finite());
-    const std::string first_b = shown(found.non_finite());
+    const std::string first_a = place_of(expected.non_finite());
+    const std::string first_b = place_of(found.non_finite());
     if (first_a != first_b) text += fmt::format("first value not finite: {} expected, {} found\n", first_a, first_b);
     return text;
 }

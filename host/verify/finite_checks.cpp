@@ -4,6 +4,7 @@
 #include "verify/cases.hpp"
 #include "verify/cases_cells.hpp"
 #include "verify/check.hpp"
+#include "verify/lab.hpp"
 
 #include <fmt/format.h>
 
@@ -18,10 +19,9 @@ namespace pelage::verify {
 
 namespace {
 
-constexpr double infinite = std::numeric_limits<double>::infinity();
 constexpr double no_number = std::numeric_limits<double>::quiet_NaN();
 
-std::string shown(const std::optional<NonFinite>& found) {
+std::string place_in_words(const std::optional<NonFinite>& found) {
     return found ? fmt::format("chemical {}, cell {}", found->chemical, found->cell) : "none";
 }
 
@@ -72,7 +72,7 @@ private:
         if (same || outcome_.verdict == Verdict::failed) return;
         outcome_.verdict = Verdict::failed;
         outcome_.message = fmt::format("of values that are not finite ({}) the first is {}, found: {}", what,
-                                       shown(wanted), shown(found));
+                                       place_in_words(wanted), place_in_words(found));
     }
 
     Outcome& outcome_;

@@ -4,13 +4,16 @@
 #include "core/experiment.hpp"
 
 #include <cstddef>
+#include <limits>
 #include <string>
 #include <vector>
 
 namespace pelage::verify {
 
+inline constexpr double infinite = std::numeric_limits<double>::infinity();
+
 // No bounds at all: the default of Bounds has a floor of 0.
-inline constexpr Bounds unbounded{-std::numeric_limits<double>::infinity(), std::numeric_limits<double>::infinity()};
+inline constexpr Bounds unbounded{-infinite, infinite};
 
 class Lab {
 public:

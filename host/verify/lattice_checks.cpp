@@ -18,9 +18,7 @@ namespace pelage::verify {
 
 namespace {
 
-constexpr std::size_t enough_cells = 200;  // fewer are soon all the same, which proves nothing
-constexpr std::size_t small_cells = 260;   // for simulators
-constexpr Size small_size{19, 11};         // where the case has none that proves something
+constexpr Size small_size{19, 11};  // where the case has none that proves something
 constexpr std::uint64_t small_iterations = 4;
 constexpr std::uint64_t quick_iterations = 50;
 constexpr std::size_t many_sizes = 10;

@@ -12,10 +12,8 @@ namespace pelage::verify {
 
 namespace {
 
-using Words = std::vector<std::uint32_t>;
-
-Words flat(const Neighbours& neighbours) {
-    Words words(neighbours.first.begin(), neighbours.first.end());
+std::vector<std::uint32_t> flat(const Neighbours& neighbours) {
+    std::vector<std::uint32_t> words(neighbours.first.begin(), neighbours.first.end());
     words.insert(words.end(), neighbours.ids.begin(), neighbours.ids.end());
     return words;
 }
@@ -83,7 +81,7 @@ Outcome many_points(Place& place, std::uint64_t seed) {
     Outcome outcome;
     if (place.small()) return {Verdict::skipped, {}, "left out with --small", {}};
     const auto draw = static_cast<std::uint32_t>(seed);
-    for (const std::size_t count : {6000, 70'001}) {  // more than 16 bits count
+    for (const std::size_t count : {6000u, 70'001u}) {  // more than 16 bits count
         check_points(outcome, place, jittered(count, draw), "touching", place.full());
         if (count > 6000 && !place.full()) continue;
         check_points(outcome, place, clustered(count, draw), "in clusters", place.full());

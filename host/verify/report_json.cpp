@@ -15,8 +15,8 @@ namespace {
 using Json = nlohmann::ordered_json;
 
 // JSON has no infinity.
-Json number(double value) { return std::isfinite(value) ? Json(value) : Json("infinite"); }
-double number(const Json& value) { return value.is_number() ? value.get<double>() : HUGE_VAL; }
+Json json_number(double value) { return std::isfinite(value) ? Json(value) : Json("infinite"); }
+double read_number(const Json& value) { return value.is_number() ? value.get<double>() : HUGE_VAL; }
 
 Verdict verdict_of(const std::string& text) {
     for (const Verdict verdict : {Verdict::passed, Verdict::failed, Verdict::mistrusted, Verdict::skipped}) {
@@ -34,8 +34,8 @@ Json to_json(const Summary& sum) {
             {"cells_compared", sum.cells_compared},
             {"cells_differing", sum.cells_differing},
             {"max_ulp", sum.max_ulp},
-            {"max_absolute", number(sum.max_absolute)},
-            {"max_relative", number(sum.max_relative)},
+            {"max_absolute", json_number(sum.max_absolute)},
+            {"max_relative", json_number(sum.max_relative)},
             {"verdict", word(sum.verdict())}};
 }
 
@@ -80,8 +80,8 @@ Json to_json(const Result& result) {
             {"cells_compared", result.cells_compared},
             {"cells_differing", result.cells_differing},
             {"max_ulp", result.max_ulp},
-            {"max_absolute", number(result.max_absolute)},
-            {"max_relative", number(result.max_relative)},
+            {"max_absolute", json_number(result.max_absolute)},
+            {"max_relative", json_number(result.max_relative)},
             {"fingerprint", result.fingerprint},
             {"seconds", result.seconds},
             {"files", files}};
@@ -98,8 +98,8 @@ Result result_from_json(const Json& json) {
     result.cells_compared = json.at("cells_compared");
     result.cells_differing = json.at("cells_differing");
     result.max_ulp = json.at("max_ulp");
-    result.max_absolute = number(json.at("max_absolute"));
-    result.max_relative = number(json.at("max_relative"));
+    result.max_absolute = read_number(json.at("max_absolute"));
+    result.max_relative = read_number(json.at("max_relative"));
     result.fingerprint = json.at("fingerprint");
     result.seconds = json.at("seconds");
     for (const Json& file : json.at("files")) result.files.emplace_back(file.get<std::string>());

@@ -31,15 +31,15 @@ DeviceSort::DeviceSort(const Session& session) : session_(session) {
 void DeviceSort::pass(Buffers& at, const SortShape& shape, bool first, int shift) {
     const auto items = static_cast<std::size_t>(shape.chunks);
     const int scanners = shape.bits == 0 ? shape.chunks : std::min(256, 1 << shape.bits);
-    Arguments(session_, count_).add(at.keys, at.points, shape.chunks, shape.bits, shift, at.end, at.counts);
+    pelage::Arguments(session_, count_).add(at.keys, at.points, shape.chunks, shape.bits, shift, at.end, at.counts);
     launch(session_, count_, items);
-    Arguments(session_, sum_).add(at.counts, shape.chunks, shape.bits, at.end, scanners, at.sums);
+    pelage::Arguments(session_, sum_).add(at.counts, shape.chunks, shape.bits, at.end, scanners, at.sums);
     launch(session_, sum_, static_cast<std::size_t>(scanners));
-    Arguments(session_, scan_)
+    pelage::Arguments(session_, scan_)
         .add(at.counts, at.points, shape.chunks, shape.bits, at.end, scanners, at.sums, at.starts);
     launch(session_, scan_, static_cast<std::size_t>(scanners));
     if (!first) std::swap(at.order, at.spare_order);
-    Arguments(session_, scatter_)
+    pelage::Arguments(session_, scatter_)
         .add(at.keys, first ? at.order : at.spare_order, first ? 1 : 0, at.points, shape.chunks, shape.bits, shift,
              at.end, at.counts, at.sorted_keys, at.order);
     launch(session_, scatter_, items);
@@ -71,7 +71,7 @@ Sorted DeviceSort::order(const std::vector<std::uint32_t>& keys, std::uint32_t e
                 pass(at, shape, shift == 0, shift);
                 std::swap(at.keys, at.sorted_keys);
             }
-            Arguments(session_, starts_).add(at.keys, at.points, at.end, at.starts);
+            pelage::Arguments(session_, starts_).add(at.keys, at.points, at.end, at.starts);
             launch(session_, starts_, end);
         }
         Sorted sorted{std::vector<std::uint32_t>(keys.size()), std::vector<std::uint32_t>(end + 1)};

@@ -26,7 +26,7 @@ std::int64_t rank(Real value) {
     return (bits & sign) != 0 ? -magnitude : magnitude;
 }
 
-bool same(double a, double b) {
+bool same_or_both_nan(double a, double b) {
     return std::bit_cast<std::uint64_t>(a) == std::bit_cast<std::uint64_t>(b) || (std::isnan(a) && std::isnan(b));
 }
 
@@ -56,7 +56,7 @@ public:
         shape("the number of values of " + name, expected.size(), found.size());
         tally_.found.add(found.data(), found.size() * sizeof(double));
         for (std::size_t i = 0; i < std::min(expected.size(), found.size()); ++i) {
-            if (same(expected[i], found[i])) continue;
+            if (same_or_both_nan(expected[i], found[i])) continue;
             measure(expected[i], found[i]);
             mark(i, name, shown(expected[i], precision_), shown(found[i], precision_));
         }
@@ -150,7 +150,7 @@ struct Reals {
     Tally& tally;
     Precision precision;
     bool differ(double expected, double found) const {
-        if (same(expected, found)) return false;
+        if (same_or_both_nan(expected, found)) return false;
         tally.max_ulp = std::max(tally.max_ulp, ulps(expected, found, precision));
         tally.max_absolute = std::max(tally.max_absolute, std::abs(expected - found));
         return true;
@@ -158,7 +158,7 @@ struct Reals {
     std::string text(double value) const { return shown(value, precision); }
 };
 
-struct Words {
+struct WholeNumbers {
     bool differ(std::uint32_t expected, std::uint32_t found) const { return expected != found; }
     std::string text(std::uint32_t value) const { return fmt::format("0x{:08x}", value); }
 };
@@ -166,7 +166,7 @@ struct Words {
 }  // namespace
 
 std::uint64_t ulps(double expected, double found, Precision precision) {
-    if (same(expected, found)) return 0;
+    if (same_or_both_nan(expected, found)) return 0;
     if (std::isnan(expected) || std::isnan(found)) return endless;
     const bool single = precision == Precision::single_;
     const std::int64_t a = single ? rank<std::uint32_t>(static_cast<float>(expected)) : rank<std::uint64_t>(expected);
@@ -194,7 +194,7 @@ void add(Tally& tally, std::span<const double> expected, std::span<const double>
 
 void add(Tally& tally, std::span<const std::uint32_t> expected, std::span<const std::uint32_t> found,
          const std::string& what) {
-    add_values(tally, expected, found, what, Words{});
+    add_values(tally, expected, found, what, WholeNumbers{});
 }
 
 }  // namespace pelage::verify

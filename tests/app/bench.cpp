@@ -1,5 +1,5 @@
 // `pelage bench`: tiny sizes and short runs, what it writes, and how it refuses.
-#include "process.hpp"
+#include "support/process.hpp"
 
 #include <catch2/catch.hpp>
 #include <nlohmann/json.hpp>

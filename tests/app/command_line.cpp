@@ -5,7 +5,7 @@
 #include "app/options_of.hpp"
 #include "app/tune_table.hpp"
 #include "app/validators.hpp"
-#include "process.hpp"
+#include "support/process.hpp"
 #include "texts.hpp"
 
 #include <CLI/Config.hpp>

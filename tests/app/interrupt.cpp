@@ -1,5 +1,5 @@
 // Ctrl-C, checkpoints and going on from them.
-#include "process.hpp"
+#include "support/process.hpp"
 #include "texts.hpp"
 
 #include "io/checkpoint.hpp"

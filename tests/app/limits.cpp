@@ -1,5 +1,5 @@
 // Limits on what the command may take of the machine, and signals that its user has chosen to ignore.
-#include "process.hpp"
+#include "support/process.hpp"
 #include "texts.hpp"
 
 #include "app/commands.hpp"
@@ -22,11 +22,10 @@ using Catch::Contains;
 using test::Child;
 using test::Folder;
 using test::Outcome;
+using test::program;
 using test::shell;
 
 namespace {
-
-const std::string program = PELAGE_COMMAND;
 
 test::Surroundings within(std::chrono::seconds patience) {
     test::Surroundings surroundings;

@@ -1,5 +1,5 @@
 // Numbers a user gives and gets: none is cut, rounded or read as another one.
-#include "process.hpp"
+#include "support/process.hpp"
 #include "texts.hpp"
 
 #include <catch2/catch.hpp>

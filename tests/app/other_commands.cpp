@@ -1,5 +1,5 @@
 // `pelage devices`, `pelage check`, --help and --version.
-#include "process.hpp"
+#include "support/process.hpp"
 #include "texts.hpp"
 
 #include <catch2/catch.hpp>

@@ -1,5 +1,5 @@
 // `--set`, and `pelage check --parameters`.
-#include "process.hpp"
+#include "support/process.hpp"
 #include "texts.hpp"
 
 #include <catch2/catch.hpp>

@@ -1,5 +1,5 @@
 // Output that cannot be printed never ends a run, and is an error where it is all that was asked for.
-#include "process.hpp"
+#include "support/process.hpp"
 #include "texts.hpp"
 
 #include "io/checkpoint.hpp"
@@ -14,14 +14,11 @@ using Catch::Contains;
 using test::Child;
 using test::Folder;
 using test::Outcome;
+using test::program;
 using test::read_all;
 using test::shell;
 
-namespace {
-
-const std::string program = PELAGE_COMMAND;
-
-}  // namespace
+namespace {}  // namespace
 
 TEST_CASE("a run whose output cannot be printed writes all its results") {
     const Folder folder;

@@ -3,7 +3,7 @@
 #include "core/error.hpp"
 #include "core/prepattern.hpp"
 #include "language/parse.hpp"
-#include "process.hpp"
+#include "support/process.hpp"
 
 #include <catch2/catch.hpp>
 

@@ -1,5 +1,5 @@
 // What is in a run's folder: results of one run and no other, pictures that can be compared, a manifest that says all.
-#include "process.hpp"
+#include "support/process.hpp"
 #include "texts.hpp"
 
 #include "io/exr.hpp"
@@ -22,7 +22,7 @@ using Names = std::vector<std::string>;
 
 namespace {
 
-Outcome run(const std::string& file, const std::string& out, std::vector<std::string> more = {}) {
+Outcome run_reference(const std::string& file, const std::string& out, std::vector<std::string> more = {}) {
     more.insert(more.begin(), {"run", file, "--backend", "reference", "--out", out});
     return command(more);
 }
@@ -52,12 +52,12 @@ const std::string swarm =
 TEST_CASE("results of an earlier run go when a new one has its own, the user's files stay") {
     const Folder folder;
     const std::string file = folder.write("spots.pex", test::spots);
-    REQUIRE(run(file, folder / "out", {"--format", "png,npy", "--snap-every", "10"}).exit_code == 0);
+    REQUIRE(run_reference(file, folder / "out", {"--format", "png,npy", "--snap-every", "10"}).exit_code == 0);
     folder.write("out/notes.txt", "mine");
     folder.write("out/35.png", "mine too");
     folder.write("out/sub.exr", "and mine");
 
-    REQUIRE(run(file, folder / "out", {"--format", "png", "--snap-every", "30"}).exit_code == 0);
+    REQUIRE(run_reference(file, folder / "out", {"--format", "png", "--snap-every", "30"}).exit_code == 0);
 
     CHECK(names_in(folder / "out") ==
           Names{"0.png", "30.png", "35.png", "60.png", "final.png", "manifest.json", "notes.txt", "sub.exr"});
@@ -68,14 +68,14 @@ TEST_CASE("results of an earlier run go when a new one has its own, the user's f
 TEST_CASE("a run that is refused, or cannot write, leaves earlier results as they were") {
     const Folder folder;
     const std::string file = folder.write("spots.pex", test::spots);
-    REQUIRE(run(file, folder / "out", {"--format", "png,csv", "--snap-every", "30"}).exit_code == 0);
+    REQUIRE(run_reference(file, folder / "out", {"--format", "png,csv", "--snap-every", "30"}).exit_code == 0);
     const Names before = names_in(folder / "out");
     test::Surroundings cramped;
     cramped.largest_file = 4096;
 
-    CHECK(run(file, folder / "out", {"--iterations", "-1"}).exit_code == 2);
-    CHECK(run(folder.write("bad.pex", "define chemical\n"), folder / "out").exit_code == 2);
-    CHECK(run(folder.write("unstable.pex", test::unstable), folder / "out").exit_code == 2);
+    CHECK(run_reference(file, folder / "out", {"--iterations", "-1"}).exit_code == 2);
+    CHECK(run_reference(folder.write("bad.pex", "define chemical\n"), folder / "out").exit_code == 2);
+    CHECK(run_reference(folder.write("unstable.pex", test::unstable), folder / "out").exit_code == 2);
     CHECK(command({"run", file, "--backend", "reference", "--out", folder / "out", "--format", "csv"}, cramped)
               .exit_code == 2);
 
@@ -86,13 +86,14 @@ TEST_CASE("a run that is refused, or cannot write, leaves earlier results as the
 TEST_CASE("a run that meets infinity leaves no picture of an earlier one, and its dump goes with the next") {
     const Folder folder;
     const std::string good = folder.write("spots.pex", test::spots);
-    REQUIRE(run(good, folder / "out").exit_code == 0);
+    REQUIRE(run_reference(good, folder / "out").exit_code == 0);
 
-    CHECK(run(folder.write("doubling.pex", test::doubling), folder / "out", {"--snap-every", "100"}).exit_code == 1);
+    CHECK(run_reference(folder.write("doubling.pex", test::doubling), folder / "out", {"--snap-every", "100"})
+              .exit_code == 1);
     CHECK(names_in(folder / "out") ==
           Names{"0.exr", "0.png", "100.exr", "100.png", "manifest.json", "non-finite.pelage"});
 
-    REQUIRE(run(good, folder / "out").exit_code == 0);
+    REQUIRE(run_reference(good, folder / "out").exit_code == 0);
     CHECK(names_in(folder / "out") == Names{"final.exr", "final.png", "manifest.json"});
 }
 
@@ -107,7 +108,7 @@ TEST_CASE("the results of a run that was killed are known to the next one") {
     CHECK(std::filesystem::exists(folder / "out" / "50.V.npy"));
     CHECK_FALSE(std::filesystem::exists(folder / "out" / "manifest.json"));
 
-    REQUIRE(run(file, folder / "out").exit_code == 0);
+    REQUIRE(run_reference(file, folder / "out").exit_code == 0);
 
     CHECK_FALSE(std::filesystem::exists(folder / "out" / "50.V.npy"));
     CHECK_FALSE(std::filesystem::exists(folder / "out" / ".pelage-results"));
@@ -116,20 +117,20 @@ TEST_CASE("the results of a run that was killed are known to the next one") {
 TEST_CASE("a resumed run keeps the snapshots before it, and only those of its own run") {
     const Folder folder;
     const std::string file = folder.write("rising.pex", rising);
-    REQUIRE(run(file, folder / "out", {"--format", "png", "--checkpoint-every", "15"}).exit_code == 0);
+    REQUIRE(run_reference(file, folder / "out", {"--format", "png", "--checkpoint-every", "15"}).exit_code == 0);
     const std::string checkpoint = folder / "out" / "checkpoint.pelage";  // at iteration 30
     CHECK(names_in(folder / "out") ==
           Names{"10.png", "20.png", "40.png", "checkpoint.pelage", "final.png", "manifest.json"});
 
-    REQUIRE(run(file, folder / "out", {"--format", "npy", "--resume", checkpoint}).exit_code == 0);
+    REQUIRE(run_reference(file, folder / "out", {"--format", "npy", "--resume", checkpoint}).exit_code == 0);
     CHECK(names_in(folder / "out") ==
           Names{"10.png", "20.png", "40.U.npy", "checkpoint.pelage", "final.U.npy", "manifest.json"});
     CHECK(manifest_in(folder / "out").at("files") == Names{"10.png", "20.png", "40.U.npy", "final.U.npy"});
 
     const std::string other = folder.write("spots.pex", test::spots);
-    REQUIRE(run(other, folder / "b", {"--format", "npy", "--checkpoint-every", "40"}).exit_code == 0);
-    REQUIRE(run(other, folder / "out", {"--format", "npy", "--resume", folder / "b" / "checkpoint.pelage"}).exit_code ==
-            0);
+    REQUIRE(run_reference(other, folder / "b", {"--format", "npy", "--checkpoint-every", "40"}).exit_code == 0);
+    REQUIRE(run_reference(other, folder / "out", {"--format", "npy", "--resume", folder / "b" / "checkpoint.pelage"})
+                .exit_code == 0);
     CHECK(names_in(folder / "out") == Names{"checkpoint.pelage", "final.U.npy", "final.V.npy", "manifest.json"});
 }
 
@@ -142,7 +143,7 @@ TEST_CASE("a manifest that was tampered with cannot make a run remove anything b
     folder.write("out/manifest.json",
                  R"({"files": ["../precious.png", "thesis.tex", "5.png", ".hidden.png", 7, "", "/etc/hosts.png"]})");
 
-    REQUIRE(run(file, folder / "out").exit_code == 0);
+    REQUIRE(run_reference(file, folder / "out").exit_code == 0);
 
     CHECK(read_all(folder / "precious.png") == "outside");
     CHECK(names_in(folder / "out") == Names{"5.png", "final.exr", "final.png", "manifest.json", "thesis.tex"});
@@ -152,7 +153,7 @@ TEST_CASE("snapshots of a run share one range of colours, the final picture has 
     const Folder folder;
     const std::string file = folder.write("rising.pex", rising);
 
-    REQUIRE(run(file, folder / "out", {"--format", "png"}).exit_code == 0);
+    REQUIRE(run_reference(file, folder / "out", {"--format", "png"}).exit_code == 0);
 
     CHECK(corner(folder / "out" / "10.png") == Approx(0.25).margin(0.003));
     CHECK(corner(folder / "out" / "20.png") == Approx(0.5).margin(0.003));
@@ -170,8 +171,8 @@ TEST_CASE("pictures with ranges of their own, and normal maps, are not drawn ane
     const std::string file = folder.write("a.pex", start + "snap at 5 20\n");
     const std::string alone = folder.write("b.pex", start + "snap at 5\n");
 
-    REQUIRE(run(file, folder / "a", {"--format", "png"}).exit_code == 0);
-    REQUIRE(run(alone, folder / "b", {"--format", "png"}).exit_code == 0);
+    REQUIRE(run_reference(file, folder / "a", {"--format", "png"}).exit_code == 0);
+    REQUIRE(run_reference(alone, folder / "b", {"--format", "png"}).exit_code == 0);
 
     for (const char* name : {"5.V.png", "5.W.normal.png", "5.V.height.png"}) {
         INFO(name);
@@ -185,8 +186,8 @@ TEST_CASE("'range each' gives every picture its own range, a range that is given
     const std::string each = folder.write("each.pex", rising + "output U range each colormap gray\n");
     const std::string given = folder.write("given.pex", rising + "output U range 0 80 colormap gray\n");
 
-    REQUIRE(run(each, folder / "a", {"--format", "png"}).exit_code == 0);
-    REQUIRE(run(given, folder / "b", {"--format", "png"}).exit_code == 0);
+    REQUIRE(run_reference(each, folder / "a", {"--format", "png"}).exit_code == 0);
+    REQUIRE(run_reference(given, folder / "b", {"--format", "png"}).exit_code == 0);
 
     for (const char* name : {"10.U.png", "20.U.png", "40.U.png"}) CHECK(corner(folder / "a" / name) == 1.0);
     CHECK(corner(folder / "b" / "20.U.png") == Approx(0.25).margin(0.003));
@@ -198,8 +199,8 @@ TEST_CASE("free cells' snapshots share a range too") {
     const std::string file = folder.write("swarm.pex", swarm + "snap at 1 5\noutput U colormap gray\n");
     const std::string each = folder.write("each.pex", swarm + "snap at 1 5\noutput U range each colormap gray\n");
 
-    REQUIRE(run(file, folder / "a", {"--format", "png"}).exit_code == 0);
-    REQUIRE(run(each, folder / "b", {"--format", "png"}).exit_code == 0);
+    REQUIRE(run_reference(file, folder / "a", {"--format", "png"}).exit_code == 0);
+    REQUIRE(run_reference(each, folder / "b", {"--format", "png"}).exit_code == 0);
 
     CHECK(read_all(folder / "a" / "1.png") != read_all(folder / "b" / "1.png"));
     CHECK(read_all(folder / "a" / "1.png") != read_all(folder / "a" / "5.png"));
@@ -211,13 +212,13 @@ TEST_CASE("an EXR picture of free cells is refused where it cannot be, and not m
     const std::string file = folder.write("swarm.pex", swarm);
     const std::string texture = folder.write("texture.pex", swarm + "texture size 16 16\n");
 
-    const Outcome refused = run(file, folder / "out", {"--format", "csv,exr"});
+    const Outcome refused = run_reference(file, folder / "out", {"--format", "csv,exr"});
     CHECK(refused.exit_code == 2);
     CHECK_THAT(refused.err, Contains("free cells make no EXR picture") && Contains("texture size"));
     CHECK_FALSE(std::filesystem::exists(folder / "out"));
-    REQUIRE(run(texture, folder / "a", {"--format", "exr"}).exit_code == 0);
+    REQUIRE(run_reference(texture, folder / "a", {"--format", "exr"}).exit_code == 0);
     CHECK(names_in(folder / "a") == Names{"manifest.json", "texture.exr"});
-    REQUIRE(run(file, folder / "b").exit_code == 0);
+    REQUIRE(run_reference(file, folder / "b").exit_code == 0);
     CHECK(names_in(folder / "b") == Names{"final.png", "manifest.json"});
 }
 
@@ -225,8 +226,8 @@ TEST_CASE("options --exr-type and --png-bits choose the size of numbers") {
     const Folder folder;
     const std::string file = folder.write("spots.pex", test::spots);
 
-    REQUIRE(run(file, folder / "out", {"--exr-type", "half", "--png-bits", "16"}).exit_code == 0);
-    REQUIRE(run(file, folder / "usual").exit_code == 0);
+    REQUIRE(run_reference(file, folder / "out", {"--exr-type", "half", "--png-bits", "16"}).exit_code == 0);
+    REQUIRE(run_reference(file, folder / "usual").exit_code == 0);
 
     const auto half = pelage::read_exr(folder / "out" / "final.exr");
     const auto whole = pelage::read_exr(folder / "usual" / "final.exr");
@@ -242,7 +243,7 @@ TEST_CASE("the manifest holds every option of the command line") {
     const std::string file = folder.write("spots.pex", test::spots);
     const std::string help = command({"run", "--help"}).out;
 
-    REQUIRE(run(file, folder / "out", {"--snap-every", "30", "--force", "--format", "png"}).exit_code == 0);
+    REQUIRE(run_reference(file, folder / "out", {"--snap-every", "30", "--force", "--format", "png"}).exit_code == 0);
     const auto options = manifest_in(folder / "out").at("options");
 
     std::size_t named = 0;
@@ -264,22 +265,23 @@ TEST_CASE("the manifest holds every option of the command line") {
 
 TEST_CASE("a resumed run needs no start picture, and remembers which one it was") {
     const Folder folder;
-    REQUIRE(run(folder.write("spots.pex", test::spots), folder / "source", {"--format", "npy"}).exit_code == 0);
+    REQUIRE(run_reference(folder.write("spots.pex", test::spots), folder / "source", {"--format", "npy"}).exit_code ==
+            0);
     const std::string picture = read_all(folder / "source" / "final.U.npy");
     folder.write("start.npy", picture);
     const std::string file = folder.write("from.pex",
                                           "define chemical U conc \"start.npy\"\ndefine chemical V\n"
                                           "use chemical U diff 0.1\ncreate matrix 24 16 wrap\nstop at 50\n");
     const std::vector<std::string> words{"--format", "npy", "--checkpoint-every", "20"};
-    REQUIRE(run(file, folder / "out", words).exit_code == 0);
+    REQUIRE(run_reference(file, folder / "out", words).exit_code == 0);
     const std::string whole = read_all(folder / "out" / "final.U.npy");
     const std::vector<std::string> resume{"--format", "npy", "--resume", folder / "out" / "checkpoint.pelage"};
 
     std::filesystem::remove(folder / "start.npy");
-    CHECK(run(file, folder / "again").exit_code == 2);
-    const Outcome gone = run(file, folder / "a", resume);
+    CHECK(run_reference(file, folder / "again").exit_code == 2);
+    const Outcome gone = run_reference(file, folder / "a", resume);
     folder.write("start.npy", "changed since");
-    const Outcome changed = run(file, folder / "out", resume);
+    const Outcome changed = run_reference(file, folder / "out", resume);
 
     INFO(gone.err << changed.err);
     REQUIRE(gone.exit_code == 0);
@@ -296,7 +298,7 @@ TEST_CASE("a byte that is not UTF-8 leaves manifest and EXR header readable") {
     const Folder folder;
     const std::string file = folder.write("latin.pex", test::spots + "// caf\xe9\n");
 
-    REQUIRE(run(file, folder / "out").exit_code == 0);
+    REQUIRE(run_reference(file, folder / "out").exit_code == 0);
 
     const std::string mended = test::spots + "// caf\xef\xbf\xbd\n";
     CHECK(manifest_in(folder / "out").at("experiment").at("text") == mended);
@@ -309,10 +311,10 @@ TEST_CASE("large results are told as they are begun, small ones are not") {
     const std::string large = folder.write("large.pex", text + "create matrix 1000 1000\n");
     const std::string small = folder.write("small.pex", text + "create matrix 100 100\n");
 
-    CHECK_THAT(run(large, folder / "a", {"--format", "npy,vti"}).err,
+    CHECK_THAT(run_reference(large, folder / "a", {"--format", "npy,vti"}).err,
                Contains("writing final.U.npy\n") && Contains("writing final.vti\n"));
-    CHECK_THAT(run(small, folder / "b", {"--format", "npy,vti"}).err, !Contains("writing"));
-    CHECK(run(large, folder / "c", {"--format", "npy,vti", "--quiet"}).err.empty());
+    CHECK_THAT(run_reference(small, folder / "b", {"--format", "npy,vti"}).err, !Contains("writing"));
+    CHECK(run_reference(large, folder / "c", {"--format", "npy,vti", "--quiet"}).err.empty());
 }
 
 TEST_CASE("a link or a pipe in the place of the journal is refused, and what it leads to stays as it is") {

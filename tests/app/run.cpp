@@ -1,5 +1,5 @@
 // `pelage run`: the files it promises, the manifest, and what its options change.
-#include "process.hpp"
+#include "support/process.hpp"
 #include "texts.hpp"
 
 #include <catch2/catch.hpp>
@@ -15,7 +15,7 @@ using test::read_all;
 
 namespace {
 
-nlohmann::json json_in(const std::filesystem::path& file) { return nlohmann::json::parse(read_all(file)); }
+nlohmann::json read_json(const std::filesystem::path& file) { return nlohmann::json::parse(read_all(file)); }
 
 Outcome run(const std::string& file, const std::string& out, std::vector<std::string> more = {}) {
     more.insert(more.begin(), {"run", file, "--out", out});
@@ -37,7 +37,7 @@ TEST_CASE("a run leaves the promised files and a manifest with all keys") {
     CHECK(test::names_in(folder / "out") == std::vector<std::string>{"final.U.npy", "final.V.npy", "final.csv",
                                                                      "final.exr", "final.png", "final.vti",
                                                                      "manifest.json"});
-    const nlohmann::json manifest = json_in(folder / "out" / "manifest.json");
+    const nlohmann::json manifest = read_json(folder / "out" / "manifest.json");
     CHECK(manifest.at("backend") == backend);
     CHECK(manifest.at("precision") == "float");
     CHECK(manifest.at("seed") == 7);
@@ -83,7 +83,7 @@ TEST_CASE("option --json writes the manifest's object a second time") {
 
     INFO(outcome.err);
     REQUIRE(outcome.exit_code == 0);
-    CHECK(json_in(folder.path() / "new" / "run.json") == json_in(folder / "out" / "manifest.json"));
+    CHECK(read_json(folder.path() / "new" / "run.json") == read_json(folder / "out" / "manifest.json"));
 }
 
 TEST_CASE("both backends end in the same bits") {
@@ -109,7 +109,7 @@ TEST_CASE("option --iterations moves the end, 0 included") {
         run(file, folder / "out", {"--backend", "reference", "--iterations", std::to_string(count)});
 
     REQUIRE(outcome.exit_code == 0);
-    CHECK(json_in(folder / "out" / "manifest.json").at("iterations") == count);
+    CHECK(read_json(folder / "out" / "manifest.json").at("iterations") == count);
 }
 
 TEST_CASE("option --seed changes the result, and the same seed repeats it") {
@@ -128,14 +128,14 @@ TEST_CASE("option --seed changes the result, and the same seed repeats it") {
 
     CHECK(own == seven);
     CHECK(own != eight);
-    CHECK(json_in(folder / "eight" / "manifest.json").at("seed") == 8);
+    CHECK(read_json(folder / "eight" / "manifest.json").at("seed") == 8);
 }
 
 TEST_CASE("seed 0 comes from the clock and is written down, so that the run can be repeated") {
     const Folder folder;
     const std::string file = folder.write("spots.pex", test::spots);
     REQUIRE(run(file, folder / "a", {"--backend", "reference", "--format", "npy", "--seed", "0"}).exit_code == 0);
-    const auto seed = json_in(folder / "a" / "manifest.json").at("seed").get<std::int64_t>();
+    const auto seed = read_json(folder / "a" / "manifest.json").at("seed").get<std::int64_t>();
 
     REQUIRE(run(file, folder / "b", {"--backend", "reference", "--format", "npy", "--seed", std::to_string(seed)})
                 .exit_code == 0);
@@ -152,7 +152,7 @@ TEST_CASE("option --precision double computes in double") {
     REQUIRE(run(file, folder / "b", {"--backend", "reference", "--format", "npy", "--precision", "double"}).exit_code ==
             0);
 
-    CHECK(json_in(folder / "b" / "manifest.json").at("precision") == "double");
+    CHECK(read_json(folder / "b" / "manifest.json").at("precision") == "double");
     CHECK(read_all(folder / "b" / "final.U.npy").size() == 128 + 24 * 16 * 8);
     CHECK(read_all(folder / "a" / "final.U.npy").size() == 128 + 24 * 16 * 4);
 }
@@ -233,7 +233,7 @@ TEST_CASE("the default backend is opencl where a device is, else the reference, 
     CHECK(without.exit_code == 0);
     CHECK(without.err.find("backend: reference") != std::string::npos);
     CHECK(without.err.find("not opencl: ") != std::string::npos);
-    CHECK(json_in(folder / "b" / "manifest.json").at("backend") == "reference");
+    CHECK(read_json(folder / "b" / "manifest.json").at("backend") == "reference");
 }
 
 TEST_CASE("options may stand before the file, and a seed may be negative") {
@@ -245,7 +245,7 @@ TEST_CASE("options may stand before the file, and a seed may be negative") {
 
     INFO(outcome.err);
     REQUIRE(outcome.exit_code == 0);
-    CHECK(json_in(folder / "out" / "manifest.json").at("seed") == -3);
+    CHECK(read_json(folder / "out" / "manifest.json").at("seed") == -3);
 }
 
 TEST_CASE("option --fast and --no-cache are accepted on opencl, and --fast is in the manifest") {
@@ -256,7 +256,7 @@ TEST_CASE("option --fast and --no-cache are accepted on opencl, and --fast is in
 
     INFO(outcome.err);
     REQUIRE(outcome.exit_code == 0);
-    CHECK(json_in(folder / "out" / "manifest.json").at("fast") == true);
+    CHECK(read_json(folder / "out" / "manifest.json").at("fast") == true);
 }
 
 TEST_CASE("pictures of a tissue that grows are in one scale, that of the last one") {
@@ -283,7 +283,7 @@ TEST_CASE("counts in the manifest are whole numbers") {
     REQUIRE(command({"run", file, "--backend", "opencl", "--neighbours", "spatial-sorting", "--quiet", "--out",
                      folder / "out"})
                 .exit_code == 0);
-    const nlohmann::json manifest = json_in(folder / "out" / "manifest.json");
+    const nlohmann::json manifest = read_json(folder / "out" / "manifest.json");
     for (const char* key : {"first_iteration", "neighbours_missed", "neighbours_exact"}) {
         INFO(key);
         CHECK(manifest.at(key).is_number_unsigned());

@@ -1,5 +1,5 @@
 // Machines that leave the command little: few processors, damaged caches, folders that nobody can write to.
-#include "process.hpp"
+#include "support/process.hpp"
 #include "texts.hpp"
 
 #include <sched.h>
@@ -18,12 +18,11 @@ using Catch::Contains;
 using test::Child;
 using test::Folder;
 using test::Outcome;
+using test::program;
 using test::read_all;
 using test::shell;
 
 namespace {
-
-const std::string program = PELAGE_COMMAND;
 
 // A user whose home, caches and temporary files lie in a folder; the last two are not set by variables of ours.
 struct User {

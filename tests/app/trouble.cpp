@@ -1,5 +1,5 @@
 // What the command says, and which exit code it returns, when something is wrong.
-#include "process.hpp"
+#include "support/process.hpp"
 #include "texts.hpp"
 
 #include "io/checkpoint.hpp"

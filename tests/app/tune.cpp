@@ -1,5 +1,5 @@
 // `pelage tune`, and how `pelage run` takes what it found: tables, records, exit codes, candidates that crash or hang.
-#include "process.hpp"
+#include "support/process.hpp"
 #include "texts.hpp"
 
 #include "app/run_options.hpp"

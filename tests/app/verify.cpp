@@ -1,5 +1,5 @@
 // `pelage verify` as a user calls it: verdicts, files, exit codes, and drivers that crash or hang.
-#include "process.hpp"
+#include "support/process.hpp"
 
 #include <catch2/catch.hpp>
 #include <chrono>

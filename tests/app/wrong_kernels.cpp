@@ -1,5 +1,5 @@
 // Kernels that are wrong in one word, read from a folder: `pelage verify` fails, and names the word.
-#include "process.hpp"
+#include "support/process.hpp"
 
 #include <catch2/catch.hpp>
 

@@ -1,7 +1,7 @@
 // `pelage verify` on OpenCL implementations other than the one that all tests run on.
 #pragma once
 
-#include "app/process.hpp"
+#include "support/process.hpp"
 
 #include <nlohmann/json.hpp>
 

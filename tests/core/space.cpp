@@ -17,7 +17,7 @@ CreateGrid grid(Arrangement arrangement) {
     return made;
 }
 
-Experiment with(std::vector<Statement> statements) {
+Experiment cells_of(std::vector<Statement> statements) {
     Experiment experiment;
     experiment.prepattern = std::move(statements);
     experiment.stencil = Stencil::sims;
@@ -30,7 +30,7 @@ bool free_cells(const Experiment& experiment) { return std::holds_alternative<Fr
 
 TEST_CASE("a matrix is a lattice of the experiment's stencil that can be expanded") {
     const auto lattice =
-        std::get<Lattice>(space_of(with({UseSeed{3}, CreateMatrix{4, 3, Boundary::absorbing, 0, 7}, SetCells{}})));
+        std::get<Lattice>(space_of(cells_of({UseSeed{3}, CreateMatrix{4, 3, Boundary::absorbing, 0, 7}, SetCells{}})));
 
     CHECK(lattice.columns == 4);
     CHECK(lattice.rows == 3);
@@ -44,7 +44,7 @@ TEST_CASE("a matrix is a lattice of the experiment's stencil that can be expande
 TEST_CASE("a square grid is a lattice of the published arithmetic") {
     CreateGrid wrapped = grid(Arrangement::sqr_grid);
     wrapped.wrap = true;
-    const auto lattice = std::get<Lattice>(space_of(with({grid(Arrangement::sqr_grid)})));
+    const auto lattice = std::get<Lattice>(space_of(cells_of({grid(Arrangement::sqr_grid)})));
 
     CHECK(lattice.columns == 4);
     CHECK(lattice.rows == 3);
@@ -53,20 +53,20 @@ TEST_CASE("a square grid is a lattice of the published arithmetic") {
     CHECK(lattice.stencil == Stencil::moore);
     CHECK(lattice.arithmetic == Arithmetic::published);
     CHECK_FALSE(lattice.expandable);
-    CHECK(std::get<Lattice>(space_of(with({wrapped}))).boundary == Boundary::wrap);
+    CHECK(std::get<Lattice>(space_of(cells_of({wrapped}))).boundary == Boundary::wrap);
 }
 
 TEST_CASE("everything else is free cells") {
     CreateGrid jittered = grid(Arrangement::sqr_grid);
     jittered.deviation = 0.1;
 
-    CHECK(free_cells(with({})));
-    CHECK(free_cells(with({jittered})));
-    CHECK(free_cells(with({grid(Arrangement::hex_grid)})));
-    CHECK(free_cells(with({grid(Arrangement::sqr_grid), CreateCell{}})));
-    CHECK(free_cells(with({CreateShape{{"Aa"}, 0, 0, false}})));
+    CHECK(free_cells(cells_of({})));
+    CHECK(free_cells(cells_of({jittered})));
+    CHECK(free_cells(cells_of({grid(Arrangement::hex_grid)})));
+    CHECK(free_cells(cells_of({grid(Arrangement::sqr_grid), CreateCell{}})));
+    CHECK(free_cells(cells_of({CreateShape{{"Aa"}, 0, 0, false}})));
     for (const Action& action : {Action(Divide{}), Action(Move{})}) {
-        Experiment leaving = with({grid(Arrangement::sqr_grid)});
+        Experiment leaving = cells_of({grid(Arrangement::sqr_grid)});
         leaving.rules.push_back({});
         leaving.rules.back().action = action;
         CHECK(free_cells(leaving));
@@ -74,11 +74,12 @@ TEST_CASE("everything else is free cells") {
 }
 
 TEST_CASE("a lattice is given another size, free cells are not") {
-    for (Experiment lattice : {with({CreateMatrix{4, 3, Boundary::wrap, 0, 0}}), with({grid(Arrangement::sqr_grid)})}) {
+    for (Experiment lattice :
+         {cells_of({CreateMatrix{4, 3, Boundary::wrap, 0, 0}}), cells_of({grid(Arrangement::sqr_grid)})}) {
         resize_lattice(lattice, 9, 8);
         CHECK(std::get<Lattice>(space_of(lattice)).columns == 9);
         CHECK(std::get<Lattice>(space_of(lattice)).rows == 8);
     }
-    Experiment cells = with({CreateCell{}});
+    Experiment cells = cells_of({CreateCell{}});
     CHECK_THROWS_AS(resize_lattice(cells, 9, 8), Error);
 }

@@ -12,20 +12,20 @@ namespace {
 
 using namespace pelage;
 
-constexpr double none = std::numeric_limits<double>::infinity();
-constexpr double tolerance = 1e-6;  // of the range: the arrays are kept in float
+constexpr double unbounded = std::numeric_limits<double>::infinity();
+constexpr double kept_digits = 1e-6;  // of the range: the arrays are kept in float
 
 // A has no limit and B no floor; outside the picture both read as 0; there is no time step in the equation.
 Experiment art(std::size_t columns, std::size_t rows, double feed, const Operand& kill) {
-    std::vector<test::Substance> substances{{"A", 1.0, {0.0, none}}, {"B", 0.5, {-none, 1.0}}};
-    if (kill.quantity == Quantity::concentration) substances.push_back({"K", 0.0, {-none, none}});
+    std::vector<test::Substance> substances{{"A", 1.0, {0.0, unbounded}}, {"B", 0.5, {-unbounded, 1.0}}};
+    if (kill.quantity == Quantity::concentration) substances.push_back({"K", 0.0, {-unbounded, unbounded}});
     Experiment experiment = test::matrix(columns, rows, Boundary::absorbing, Stencil::sims, 1.0, substances);
     experiment.rules = {
         test::always(React{model_named("gray-scott"), {0, 1}, Operand::number(1.0), {Operand::number(feed), kill}})};
     return experiment;
 }
 
-void check(const Tissue& tissue, std::size_t chemical, const std::string& array, double allowed = tolerance) {
+void check(const Tissue& tissue, std::size_t chemical, const std::string& array, double allowed = kept_digits) {
     INFO(array);
     const test::Difference difference =
         test::difference(tissue.read().conc[chemical], test::golden("gray_scott/" + array).values);
@@ -64,6 +64,6 @@ TEST_CASE("Gray-Scott with a kill rate that differs from cell to cell") {
         const NpyArray kill = test::golden("gray_scott/gs_bias_256/kill_mode" + mode);
         const auto tissue = test::start(art(a.shape[1], a.shape[0], 0.0367, Operand::concentration(2)), {a, b, kill});
         tissue->advance(300);
-        check(*tissue, 1, "gs_bias_256/B300_mode" + mode, 4 * tolerance);  // the kill rates too are kept in float
+        check(*tissue, 1, "gs_bias_256/B300_mode" + mode, 4 * kept_digits);  // the kill rates too are kept in float
     }
 }

@@ -52,7 +52,7 @@ std::vector<double> side_by_side(const std::vector<std::vector<double>>& chemica
 }
 
 template <class V>
-std::vector<double> doubles(const std::vector<V>& values) {
+std::vector<double> numbers_of(const std::vector<V>& values) {
     return {values.begin(), values.end()};
 }
 
@@ -70,9 +70,9 @@ void check_initial(const Case& golden, const Snapshot& state) {
     check_same(golden, "y_0", state.y);
     check_same(golden, "px_0", state.polarity_x);
     check_same(golden, "py_0", state.polarity_y);
-    check_same(golden, "birth_0", doubles(state.birth));
-    check_same(golden, "fixed_0", doubles(state.fixed));
-    check_same(golden, "neighbors_0", doubles(state.neighbours));
+    check_same(golden, "birth_0", numbers_of(state.birth));
+    check_same(golden, "fixed_0", numbers_of(state.fixed));
+    check_same(golden, "neighbors_0", numbers_of(state.neighbours));
 }
 
 void check_case(const Case& golden) {
@@ -94,7 +94,7 @@ void check_case(const Case& golden) {
         tissue->advance(iteration - tissue->iteration());
         const Snapshot now = tissue->read();
         check_same(golden, "conc_" + at, side_by_side(now.conc));
-        check_same(golden, "neighbors_" + at, doubles(now.neighbours));
+        check_same(golden, "neighbors_" + at, numbers_of(now.neighbours));
     }
 }
 

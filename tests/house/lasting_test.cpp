@@ -1,6 +1,7 @@
 // What the library keeps for the whole process is never destroyed: a session that lives until the process has ended
 // still stores what was compiled, and would come to tables and sets that are gone.
-#include "app/process.hpp"
+#include "house/source.hpp"
+#include "support/process.hpp"
 
 #include <catch2/catch.hpp>
 
@@ -13,8 +14,6 @@
 using test::read_all;
 
 namespace {
-
-const std::filesystem::path source = PELAGE_SOURCE;
 
 // Variables that live in a function or a namespace and have something to destroy, as "line: text".
 std::vector<std::string> destroyed_at_the_end(const std::string& text) {

@@ -1,6 +1,7 @@
 // A reaction is two files, and nowhere else in the sources are the reactions listed.
 #include "core/models.hpp"
-#include "app/process.hpp"
+#include "house/source.hpp"
+#include "support/process.hpp"
 
 #include <catch2/catch.hpp>
 
@@ -14,8 +15,6 @@ using namespace pelage;
 using test::read_all;
 
 namespace {
-
-const std::filesystem::path source = PELAGE_SOURCE;
 
 // "gray_scott"
 std::string file_of(std::string word) {

@@ -1,5 +1,6 @@
 // CMakePresets.json against what is said of it: every preset can be configured, built and tested by its one name.
-#include "app/process.hpp"
+#include "house/source.hpp"
+#include "support/process.hpp"
 
 #include <catch2/catch.hpp>
 #include <nlohmann/json.hpp>
@@ -12,8 +13,6 @@
 using test::read_all;
 
 namespace {
-
-const std::filesystem::path source = PELAGE_SOURCE;
 
 std::set<std::string> presets(const char* kind) {
     std::set<std::string> names;

@@ -1,6 +1,7 @@
 // The rooms of the house: which folder may include from which. No two of them include from each other, by whatever way
 // round; what is common to a kernel file and the host's part of it has one name.
-#include "app/process.hpp"
+#include "house/source.hpp"
+#include "support/process.hpp"
 
 #include <catch2/catch.hpp>
 
@@ -18,8 +19,6 @@ using test::read_all;
 namespace {
 
 namespace fs = std::filesystem;
-
-const fs::path source = PELAGE_SOURCE;
 
 using Rooms = std::map<std::string, std::set<std::string>>;  // a room, and those that it includes from
 

@@ -1,5 +1,5 @@
 // scripts/skipped: what is said after a test run, from the log that ctest leaves.
-#include "app/process.hpp"
+#include "support/process.hpp"
 
 #include <catch2/catch.hpp>
 

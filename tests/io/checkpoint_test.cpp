@@ -58,7 +58,7 @@ std::string bytes_of(const Snapshot& state) {
     return test::get(scratch / "a");
 }
 
-std::string problem(const std::string& bytes) {
+std::string checkpoint_problem(const std::string& bytes) {
     return test::error_of([&] { parse_checkpoint(bytes, "a.pelage"); });
 }
 
@@ -105,7 +105,7 @@ TEST_CASE("a checkpoint cut anywhere or changed anywhere is an error") {
     const auto whole = bytes_of(awkward());
     const auto parse = [](auto bytes) { parse_checkpoint(bytes, "a.pelage"); };
 
-    CHECK(problem(whole).empty());
+    CHECK(checkpoint_problem(whole).empty());
     CHECK(test::accepted_beginnings(whole, parse) == 0);
     CHECK(test::accepted_changes(whole, parse) == 0);
 }
@@ -117,13 +117,13 @@ TEST_CASE("errors of checkpoints say what is wrong") {
     auto damaged = whole;
     damaged[damaged.size() / 2] ^= 1;
 
-    CHECK_THAT(problem("\x89PNG\r\n"), Contains("'a.pelage' is not a checkpoint"));
-    CHECK_THAT(problem(""), Contains("is not a checkpoint"));
-    CHECK_THAT(problem(newer), Contains("format 9") && Contains("format 1"));
-    CHECK_THAT(problem(whole.substr(0, whole.size() - 1)), Contains("truncated") && Contains("should have"));
-    CHECK_THAT(problem(whole.substr(0, 12)), Contains("truncated"));
-    CHECK_THAT(problem(whole + "x"), Contains("corrupted"));
-    CHECK_THAT(problem(damaged), Contains("checksum"));
+    CHECK_THAT(checkpoint_problem("\x89PNG\r\n"), Contains("'a.pelage' is not a checkpoint"));
+    CHECK_THAT(checkpoint_problem(""), Contains("is not a checkpoint"));
+    CHECK_THAT(checkpoint_problem(newer), Contains("format 9") && Contains("format 1"));
+    CHECK_THAT(checkpoint_problem(whole.substr(0, whole.size() - 1)), Contains("truncated") && Contains("should have"));
+    CHECK_THAT(checkpoint_problem(whole.substr(0, 12)), Contains("truncated"));
+    CHECK_THAT(checkpoint_problem(whole + "x"), Contains("corrupted"));
+    CHECK_THAT(checkpoint_problem(damaged), Contains("checksum"));
     CHECK_THAT(test::error_of([] { read_checkpoint("/nowhere/a.pelage"); }), Contains("/nowhere/a.pelage"));
 }
 
@@ -139,7 +139,7 @@ TEST_CASE("a payload that lies about its lengths is refused even with a right ch
         const auto value = sum.value();
         std::memcpy(bytes.data() + bytes.size() - 8, &value, sizeof value);
 
-        refused += problem(bytes).empty() ? 0u : 1u;  // an Error or a state, never anything else
+        refused += checkpoint_problem(bytes).empty() ? 0u : 1u;  // an Error or a state, never anything else
     }
     CHECK(refused > 0);
 }

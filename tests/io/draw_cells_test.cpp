@@ -16,8 +16,8 @@ namespace {
 
 constexpr Rgb white{255, 255, 255};
 constexpr Rgb black{0, 0, 0};
-constexpr Rgb blue{0, 0, 255};
-constexpr Rgb red{255, 0, 0};
+constexpr Rgb blue_cell{0, 0, 255};
+constexpr Rgb red_cell{255, 0, 0};
 
 CellDrawing drawing(CellShape shape, std::size_t size, bool marks = false) { return {shape, marks, size}; }
 
@@ -45,14 +45,14 @@ TEST_CASE("two cells side by side: bounding box, colours, background") {
     // 10).
     CHECK(picture.columns == 80);
     CHECK(picture.rows == 40);
-    CHECK(picture.at(10, 30) == blue);
-    CHECK(picture.at(70, 10) == red);
-    CHECK(picture.at(10, 21) == blue);
-    CHECK(picture.at(1, 30) == blue);
+    CHECK(picture.at(10, 30) == blue_cell);
+    CHECK(picture.at(70, 10) == red_cell);
+    CHECK(picture.at(10, 21) == blue_cell);
+    CHECK(picture.at(1, 30) == blue_cell);
     CHECK(picture.at(21, 30) == white);
     CHECK(picture.at(10, 10) == white);
     CHECK(picture.at(0, 39) == white);
-    CHECK(count(picture, blue) == count(picture, red));
+    CHECK(count(picture, blue_cell) == count(picture, red_cell));
 }
 
 TEST_CASE("a circle and a hexagon cover their areas, with smooth edges") {
@@ -97,19 +97,19 @@ TEST_CASE("Voronoi squares: each pixel belongs to the nearest cell") {
 
     CHECK(picture.columns == 450);
     CHECK(picture.rows == 300);
-    CHECK(picture.at(223, 150) == blue);
-    CHECK(picture.at(226, 150) == red);
-    CHECK(picture.at(0, 0) == blue);
-    CHECK(picture.at(449, 299) == red);
-    CHECK(count(picture, blue) == std::size_t{225} * 300);
+    CHECK(picture.at(223, 150) == blue_cell);
+    CHECK(picture.at(226, 150) == red_cell);
+    CHECK(picture.at(0, 0) == blue_cell);
+    CHECK(picture.at(449, 299) == red_cell);
+    CHECK(count(picture, blue_cell) == std::size_t{225} * 300);
     CHECK(count(picture, white) == 0);
 }
 
 TEST_CASE("a later cell covers an earlier one") {
     const auto picture = draw_cells(test::cells({0, 0}, {0, 0}), Output{}, drawing(CellShape::circle, 50));
 
-    CHECK(count(picture, blue) == 0);
-    CHECK(picture.at(25, 25) == red);
+    CHECK(count(picture, blue_cell) == 0);
+    CHECK(picture.at(25, 25) == red_cell);
 }
 
 TEST_CASE("polarity marks point along the polarity") {
@@ -120,9 +120,9 @@ TEST_CASE("polarity marks point along the polarity") {
     const auto plain = draw_cells(cells, Output{}, drawing(CellShape::circle, 600));
     const auto marked = draw_cells(cells, Output{}, drawing(CellShape::circle, 600, true));
 
-    CHECK(marked.at(100, 50) == black);  // above the centre of the first cell
-    CHECK(marked.at(100, 150) == blue);  // below it
-    CHECK(marked.at(500, 50) == red);    // the second cell has no polarity
+    CHECK(marked.at(100, 50) == black);       // above the centre of the first cell
+    CHECK(marked.at(100, 150) == blue_cell);  // below it
+    CHECK(marked.at(500, 50) == red_cell);    // the second cell has no polarity
     CHECK(count(plain, black) == 0);
 }
 
@@ -138,7 +138,7 @@ TEST_CASE("many small cells get a larger picture, absurd places none") {
     CHECK(wide.columns == 4000);
     CHECK(wide.rows == 4);
     CHECK(one.columns == 10);
-    CHECK(one.at(5, 5) == blue);
+    CHECK(one.at(5, 5) == blue_cell);
     CHECK(count(none, white) == 100);
     CHECK_THAT(test::error_of([&] { draw_cells(lost, {5, {}, {}}, {}); }), Contains("not among"));
 }

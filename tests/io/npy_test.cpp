@@ -28,9 +28,9 @@ std::string of_type(const std::string& descr, std::size_t count, std::string_vie
                numbers);
 }
 
-NpyArray parse(const std::string& bytes) { return parse_npy(bytes, "a.npy"); }
-std::string problem(const std::string& bytes) {
-    return test::error_of([&] { parse(bytes); });
+NpyArray parsed(const std::string& bytes) { return parse_npy(bytes, "a.npy"); }
+std::string npy_problem(const std::string& bytes) {
+    return test::error_of([&] { parsed(bytes); });
 }
 
 }  // namespace
@@ -39,22 +39,22 @@ TEST_CASE("all number types of .npy files are read") {
     using namespace std::string_view_literals;
     using Values = std::vector<double>;
 
-    CHECK(parse(of_type("<f4", 2, "\x00\x00\x80\x3f\x00\x00\x20\xc0"sv)).values == Values{1.0, -2.5});
-    CHECK(parse(of_type("<f8", 1, "\x18\x2d\x44\x54\xfb\x21\x09\x40"sv)).values == Values{3.141592653589793});
-    CHECK(parse(of_type("<i2", 2, "\x00\x80\x34\x12"sv)).values == Values{-32768, 0x1234});
-    CHECK(parse(of_type("<i4", 2, "\xff\xff\xff\xff\x78\x56\x34\x12"sv)).values == Values{-1, 0x12345678});
-    CHECK(parse(of_type("<i8", 1, "\xfe\xff\xff\xff\xff\xff\xff\xff"sv)).values == Values{-2});
-    CHECK(parse(of_type("|i1", 2, "\x80\x7f"sv)).values == Values{-128, 127});
-    CHECK(parse(of_type("|u1", 2, "\x80\xff"sv)).values == Values{128, 255});
-    CHECK(parse(of_type("<u2", 1, "\x00\x80"sv)).values == Values{32768});
-    CHECK(parse(of_type("<u4", 1, "\xff\xff\xff\xff"sv)).values == Values{4294967295.0});
-    CHECK(parse(of_type("|b1", 3, "\x01\x00\x01"sv)).values == Values{1, 0, 1});
+    CHECK(parsed(of_type("<f4", 2, "\x00\x00\x80\x3f\x00\x00\x20\xc0"sv)).values == Values{1.0, -2.5});
+    CHECK(parsed(of_type("<f8", 1, "\x18\x2d\x44\x54\xfb\x21\x09\x40"sv)).values == Values{3.141592653589793});
+    CHECK(parsed(of_type("<i2", 2, "\x00\x80\x34\x12"sv)).values == Values{-32768, 0x1234});
+    CHECK(parsed(of_type("<i4", 2, "\xff\xff\xff\xff\x78\x56\x34\x12"sv)).values == Values{-1, 0x12345678});
+    CHECK(parsed(of_type("<i8", 1, "\xfe\xff\xff\xff\xff\xff\xff\xff"sv)).values == Values{-2});
+    CHECK(parsed(of_type("|i1", 2, "\x80\x7f"sv)).values == Values{-128, 127});
+    CHECK(parsed(of_type("|u1", 2, "\x80\xff"sv)).values == Values{128, 255});
+    CHECK(parsed(of_type("<u2", 1, "\x00\x80"sv)).values == Values{32768});
+    CHECK(parsed(of_type("<u4", 1, "\xff\xff\xff\xff"sv)).values == Values{4294967295.0});
+    CHECK(parsed(of_type("|b1", 3, "\x01\x00\x01"sv)).values == Values{1, 0, 1});
 }
 
 TEST_CASE("shapes and orders of .npy files") {
     using namespace std::string_view_literals;
     const auto u1 = [](const std::string& order, const std::string& shape, std::string_view numbers) {
-        return parse(npy("{'descr': '|u1', 'fortran_order': " + order + ", 'shape': " + shape + ", }", numbers));
+        return parsed(npy("{'descr': '|u1', 'fortran_order': " + order + ", 'shape': " + shape + ", }", numbers));
     };
 
     const auto c = u1("False", "(2, 3)", "\1\2\3\4\5\6"sv);
@@ -79,18 +79,18 @@ TEST_CASE("format versions 2 and 3, other spacing and quotes are read") {
     for (const char version : {'\2', '\3'}) {
         const auto bytes = std::string("\x93NUMPY") + version + '\0' + length + std::string(3, '\0') + text + "\5\6";
 
-        CHECK(parse(bytes).values == std::vector<double>{5, 6});
+        CHECK(parsed(bytes).values == std::vector<double>{5, 6});
     }
 }
 
 TEST_CASE("what is not a plain array is refused in words") {
-    const auto with = [](const std::string& dictionary) { return problem(npy(dictionary, "")); };
+    const auto with = [](const std::string& dictionary) { return npy_problem(npy(dictionary, "")); };
 
-    CHECK_THAT(problem("GIF89a"), Contains("'a.npy' is not an .npy file"));
-    CHECK_THAT(problem(of_type(">f4", 1, "1234")), Contains("'>f4'") && Contains("allowed are"));
-    CHECK_THAT(problem(of_type("|O", 1, "12345678")), Contains("'|O'"));
-    CHECK_THAT(problem(of_type("<c8", 1, "12345678")), Contains("'<c8'"));
-    CHECK_THAT(problem(of_type("<U4", 1, "1234567890123456")), Contains("'<U4'"));
+    CHECK_THAT(npy_problem("GIF89a"), Contains("'a.npy' is not an .npy file"));
+    CHECK_THAT(npy_problem(of_type(">f4", 1, "1234")), Contains("'>f4'") && Contains("allowed are"));
+    CHECK_THAT(npy_problem(of_type("|O", 1, "12345678")), Contains("'|O'"));
+    CHECK_THAT(npy_problem(of_type("<c8", 1, "12345678")), Contains("'<c8'"));
+    CHECK_THAT(npy_problem(of_type("<U4", 1, "1234567890123456")), Contains("'<U4'"));
     CHECK_THAT(with("{'descr': [('a', '<f4')], 'fortran_order': False, 'shape': (1,), }"), Contains("structured"));
     CHECK_THAT(with("{'descr': '<f4', 'fortran_order': False, }"), Contains("must hold"));
     CHECK_THAT(with("{'descr': '<f4', 'fortran_order': Maybe, 'shape': (1,), }"), Contains("True or False"));
@@ -102,9 +102,9 @@ TEST_CASE("what is not a plain array is refused in words") {
     CHECK_THAT(with("{'descr': '<f4', 'fortran_order': False, 'shape': (1000000000,), }"), Contains("truncated"));
     CHECK_THAT(with("{'colour': 1}"), Contains("unknown entry 'colour'"));
     CHECK_THAT(with("shape"), Contains("'{' is missing"));
-    CHECK_THAT(problem(of_type("|u1", 2, "123")), Contains("too long"));
-    CHECK_THAT(problem(std::string("\x93NUMPY\x09\x00\x02\x00{}", 12)), Contains("version 9"));
-    CHECK_THAT(problem(npy("{'descr': '|u1', 'fortran_order': True, 'shape': (1, 1, 1), }", "1")),
+    CHECK_THAT(npy_problem(of_type("|u1", 2, "123")), Contains("too long"));
+    CHECK_THAT(npy_problem(std::string("\x93NUMPY\x09\x00\x02\x00{}", 12)), Contains("version 9"));
+    CHECK_THAT(npy_problem(npy("{'descr': '|u1', 'fortran_order': True, 'shape': (1, 1, 1), }", "1")),
                Contains("Fortran order"));
 }
 
@@ -114,7 +114,7 @@ TEST_CASE("an .npy file cut anywhere is an error") {
     const auto accepted = test::accepted_beginnings(whole, [](auto bytes) { parse_npy(bytes, "a.npy"); });
     test::accepted_changes(whole, [](auto bytes) { parse_npy(bytes, "a.npy"); });
 
-    CHECK(parse(whole).values.size() == 2);
+    CHECK(parsed(whole).values.size() == 2);
     CHECK(accepted == 0);
 }
 

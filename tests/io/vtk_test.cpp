@@ -53,7 +53,7 @@ std::map<std::string, std::string> attributes_of(const std::string& tag) {
     return attributes;
 }
 
-Document parse(const std::string& text) {
+Document parse_document(const std::string& text) {
     Document document;
     std::vector<std::string> open;
     std::size_t at = 0;
@@ -102,7 +102,7 @@ TEST_CASE("a lattice as .vti: shape, place and values") {
     lattice.origin_x = 10;
 
     write_vti(scratch / "a.vti", lattice, test::experiment(), Precision::single_);
-    auto document = parse(test::get(scratch / "a.vti"));
+    auto document = parse_document(test::get(scratch / "a.vti"));
 
     CHECK(document.problem.empty());
     CHECK(document.elements["VTKFile"]["type"] == "ImageData");
@@ -143,7 +143,7 @@ TEST_CASE("a double run's .vti holds doubles, whatever their number") {
 
         write_vti(scratch / "a.vti", lattice, test::experiment(), Precision::double_);
 
-        auto document = parse(test::get(scratch / "a.vti"));
+        auto document = parse_document(test::get(scratch / "a.vti"));
         CHECK(document.arrays["V"].type == "Float64");
         CHECK(numbers<double>(document.arrays["V"]) == lattice.conc[1]);
     }
@@ -158,7 +158,7 @@ TEST_CASE("free cells as .vtp: points, vertices and all arrays") {
     cells.fixed = {1, 0};
 
     write_vtp(scratch / "a.vtp", cells, test::experiment(), Precision::single_);
-    auto document = parse(test::get(scratch / "a.vtp"));
+    auto document = parse_document(test::get(scratch / "a.vtp"));
 
     CHECK(document.problem.empty());
     CHECK(document.elements["VTKFile"]["type"] == "PolyData");
@@ -184,7 +184,7 @@ TEST_CASE("VTK files that cannot be are refused, names are escaped") {
     experiment.chemicals[0].name = "a<\"b\"&c>";
 
     write_vti(scratch / "a.vti", test::lattice(2, 2), experiment, Precision::single_);
-    auto document = parse(test::get(scratch / "a.vti"));
+    auto document = parse_document(test::get(scratch / "a.vti"));
 
     CHECK(document.problem.empty());
     CHECK(document.arrays.count("a&lt;&quot;b&quot;&amp;c&gt;") == 1);

@@ -7,7 +7,7 @@ using namespace pelage;
 
 namespace {
 
-DeviceInfo processor(std::uint32_t units) {
+DeviceInfo processor_of(std::uint32_t units) {
     DeviceInfo device;
     device.type = "cpu";
     device.compute_units = units;
@@ -33,7 +33,7 @@ TEST_CASE("streamed cut: strips that share passes cover all rows and are no lowe
         for (std::size_t rows = 1; rows < 700; rows += 3) {
             for (const std::uint64_t count : {1u, 5u, 16u, 1000u}) {
                 CAPTURE(units, rows, count);
-                const FusedLaunch launch = stream_launch(processor(units), Grid{400, rows}, shape(), width, count);
+                const FusedLaunch launch = stream_launch(processor_of(units), Grid{400, rows}, shape(), width, count);
                 REQUIRE(launch.margin == 0);
                 REQUIRE(launch.bands == 1);
                 REQUIRE(launch.vectors * width >= 400);
@@ -53,13 +53,13 @@ TEST_CASE("streamed cut: bands with margins cover all columns, in equal shares f
     for (const std::uint32_t units : {1u, 2u, 4u, 16u}) {
         for (std::size_t columns = 417; columns < 9000; columns += 61) {
             CAPTURE(units, columns);
-            const FusedLaunch launch = stream_launch(processor(units), Grid{columns, 4096}, shape(), width, 16);
+            const FusedLaunch launch = stream_launch(processor_of(units), Grid{columns, 4096}, shape(), width, 16);
             REQUIRE(launch.margin == launch.steps);
             REQUIRE(launch.passes == 1);
             REQUIRE(launch.vectors <= shape().vectors);
             REQUIRE(launch.bands * (launch.vectors * width - 2 * launch.margin) >= columns);
         }
-        const FusedLaunch whole = stream_launch(processor(units), Grid{4096, 4096}, shape(), width, 16);
+        const FusedLaunch whole = stream_launch(processor_of(units), Grid{4096, 4096}, shape(), width, 16);
         REQUIRE(whole.bands * whole.strips % units == 0);
     }
 }

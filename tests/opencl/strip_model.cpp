@@ -14,7 +14,7 @@ struct Moved {};  // thrown where a group would make its second move
 struct Stage {
     State* state = nullptr;
     Group* group = nullptr;
-    const Case* chosen = nullptr;
+    const StripCase* chosen = nullptr;
     std::size_t place = 0;  // in what the group has heard
     bool moved = false;
 
@@ -120,13 +120,13 @@ Shared* shared_flags() {
     return flags.data();
 }
 
-std::array<std::size_t, 3> read_by(const Case& one, const Group& group) {
+std::array<std::size_t, 3> read_by(const StripCase& one, const Group& group) {
     const int strip = group.strip, last = one.strips - 1;
     const int below = strip > 0 ? strip - 1 : last, above = strip < last ? strip + 1 : 0;
     return {static_cast<std::size_t>(strip), static_cast<std::size_t>(below), static_cast<std::size_t>(above)};
 }
 
-bool disturbs(const Case& one, const Group& writer, const Group& other) {
+bool disturbs(const StripCase& one, const Group& writer, const Group& other) {
     const auto strip = static_cast<std::size_t>(writer.strip);
     const int buffer = (writer.level + 1) % 2;
     const auto read = read_by(one, other);
@@ -135,7 +135,7 @@ bool disturbs(const Case& one, const Group& writer, const Group& other) {
 }
 
 // What is wrong where a group begins a level; empty: nothing.
-std::string fault_of(const Case& one, const State& state, const Group& group) {
+std::string fault_of(const StripCase& one, const State& state, const Group& group) {
     for (const std::size_t strip : read_by(one, group)) {
         if (group.seen[strip][static_cast<std::size_t>(group.level) % 2] != group.level)
             return "reads what is not written";
@@ -155,7 +155,7 @@ void begin_call(Group& group, Group::Phase phase) {
 
 }  // namespace
 
-std::string move(const Case& one, State& state, std::size_t which) {
+std::string move(const StripCase& one, State& state, std::size_t which) {
     Group& group = state.groups[which];
     stage = {&state, &group, &one, 0, false};
     if (group.phase == Group::away) {
@@ -209,7 +209,7 @@ std::string text_of(const State& state) {
     return text;
 }
 
-State first_state(const Case& one) {
+State first_strip_state(const StripCase& one) {
     State state;
     for (std::size_t i = 0; i < most_strips; ++i) {
         state.claimed[i] = state.done[i] = one.begin;
@@ -223,7 +223,7 @@ State first_state(const Case& one) {
     return state;
 }
 
-bool all_done(const Case& one, const State& state) {
+bool all_done(const StripCase& one, const State& state) {
     return std::all_of(state.done.begin(), state.done.begin() + one.strips,
                        [&](int level) { return level == one.end; });
 }

@@ -31,19 +31,19 @@ struct State {
     std::vector<Group> groups;
 };
 
-struct Case {
+struct StripCase {
     int strips, begin, end;
     bool fences = true;
 };
 
-inline std::size_t groups_of(const Case& one) { return static_cast<std::size_t>(one.strips); }
+inline std::size_t groups_of(const StripCase& one) { return static_cast<std::size_t>(one.strips); }
 
-State first_state(const Case&);
+State first_strip_state(const StripCase&);
 
 // The group's next move. What is wrong then; empty: nothing.
-std::string move(const Case&, State&, std::size_t group);
+std::string move(const StripCase&, State&, std::size_t group);
 
-bool all_done(const Case&, const State&);
+bool all_done(const StripCase&, const State&);
 
 // States with one text go on alike.
 std::string text_of(const State&);

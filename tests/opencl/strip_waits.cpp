@@ -15,7 +15,7 @@ using namespace test;
 namespace {
 
 // Whether the group comes to its end if nobody else gets a processor any more, and does the strips of who never came.
-bool alone_to_the_end(const Case& one, State state, std::size_t which) {
+bool alone_to_the_end(const StripCase& one, State state, std::size_t which) {
     for (int moves = 0; moves < 4000; ++moves) {
         const bool all_here = state.arrived == static_cast<int>(groups_of(one));
         if (state.groups[which].phase == Group::gone) return all_here || all_done(one, state);
@@ -29,9 +29,9 @@ struct Findings {
     std::string fault;  // the first one
 };
 
-Findings explore(const Case& one) {
+Findings explore(const StripCase& one) {
     std::unordered_set<std::string> known;
-    std::vector<State> open{first_state(one)};
+    std::vector<State> open{first_strip_state(one)};
     known.insert(text_of(open.back()));
     while (!open.empty()) {
         const State state = std::move(open.back());
@@ -56,8 +56,8 @@ Findings explore(const Case& one) {
 }
 
 // One order of moves, drawn: a group makes some moves, then another one does.
-std::string fault_of_walk(const Case& one, std::mt19937& dice) {
-    State state = first_state(one);
+std::string fault_of_walk(const StripCase& one, std::mt19937& dice) {
+    State state = first_strip_state(one);
     std::size_t turns = 0;
     for (std::size_t left = groups_of(one); left > 0;) {
         if (++turns == 20'000) return "there is no end";
@@ -75,7 +75,7 @@ std::string fault_of_walk(const Case& one, std::mt19937& dice) {
 }  // namespace
 
 TEST_CASE("two groups that share steps wait for each other in every order of their moves") {
-    const Case one = GENERATE(Case{2, 0, 2}, Case{2, 3, 6});
+    const StripCase one = GENERATE(StripCase{2, 0, 2}, StripCase{2, 3, 6});
     CAPTURE(one.begin, one.end);
     const Findings found = explore(one);
     CHECK(found.fault == "");
@@ -83,7 +83,7 @@ TEST_CASE("two groups that share steps wait for each other in every order of the
 }
 
 TEST_CASE("several groups that share steps wait for each other in many orders of their moves") {
-    const Case one = GENERATE(Case{3, 0, 3}, Case{4, 7, 10});
+    const StripCase one = GENERATE(StripCase{3, 0, 3}, StripCase{4, 7, 10});
     CAPTURE(one.strips);
     std::mt19937 dice(1);
     for (int walk = 0; walk < 600; ++walk) {

@@ -8,7 +8,7 @@ using namespace pelage;
 namespace {
 
 // Two cells that become thousands.
-const char* const growing = R"(
+const char* const growing_sheet = R"(
 define chemical U limit 4.5
 define chemical V
 define division_limit 9
@@ -26,7 +26,7 @@ rule probability 0.06 divide direction 0 dev 180
 }  // namespace
 
 TEST_CASE("two cells grow into thousands, bit for bit") {
-    const auto experiment = test::experiment(growing);
+    const auto experiment = test::experiment(growing_sheet);
     const auto expected = test::on_reference(experiment);
     const auto found = test::on_device(experiment);
 

@@ -1,5 +1,5 @@
 // What the command says when the OpenCL loader meets drivers that cannot be loaded.
-#include "app/process.hpp"
+#include "support/process.hpp"
 
 #include <catch2/catch.hpp>
 #include <nlohmann/json.hpp>

@@ -3,8 +3,8 @@
 
 #include "faults.hpp"
 
-#include "app/process.hpp"
 #include "app/run_options.hpp"
+#include "support/process.hpp"
 
 #include <cstddef>
 #include <filesystem>

@@ -10,7 +10,7 @@ using namespace pelage::verify;
 
 namespace {
 
-Result result(const std::string& kernel, Verdict verdict) {
+Result of_kernel(const std::string& kernel, Verdict verdict) {
     Result made;
     made.name = kernel + "/case";
     made.kernel = kernel;
@@ -37,13 +37,13 @@ TEST_CASE("every kernel of a check has its place, after all that it uses") {
 }
 
 TEST_CASE("what failed and uses nothing that failed is likely at fault, and stands first") {
-    const std::vector<Result> results{result("random experiments", Verdict::failed),
-                                      result("diffusion", Verdict::passed),
-                                      result("division", Verdict::failed),
-                                      result("sort", Verdict::failed),
-                                      result("neighbour search", Verdict::passed),
-                                      result("scan", Verdict::passed),
-                                      result("laws", Verdict::mistrusted)};
+    const std::vector<Result> results{of_kernel("random experiments", Verdict::failed),
+                                      of_kernel("diffusion", Verdict::passed),
+                                      of_kernel("division", Verdict::failed),
+                                      of_kernel("sort", Verdict::failed),
+                                      of_kernel("neighbour search", Verdict::passed),
+                                      of_kernel("scan", Verdict::passed),
+                                      of_kernel("laws", Verdict::mistrusted)};
 
     CHECK(likely_roots(results) == std::vector<std::string>{"sort", "laws"});
     const std::vector<Result> found = failures(results);
@@ -57,7 +57,7 @@ TEST_CASE("what failed and uses nothing that failed is likely at fault, and stan
 }
 
 TEST_CASE("where nothing failed nothing is at fault") {
-    const std::vector<Result> results{result("sort", Verdict::passed), result("scan", Verdict::skipped)};
+    const std::vector<Result> results{of_kernel("sort", Verdict::passed), of_kernel("scan", Verdict::skipped)};
     CHECK(likely_roots(results).empty());
     CHECK(failures(results).empty());
     CHECK(causes_text(results).empty());

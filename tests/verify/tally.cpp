@@ -16,7 +16,7 @@ namespace {
 constexpr double not_a_number = std::numeric_limits<double>::quiet_NaN();
 constexpr double infinite = std::numeric_limits<double>::infinity();
 
-Snapshot state() {
+Snapshot sample() {
     Snapshot made;
     made.columns = 40;
     made.rows = 25;
@@ -41,7 +41,7 @@ Tally compared(const Snapshot& expected, const Snapshot& found) {
 }  // namespace
 
 TEST_CASE("equal states count their cells and nothing else") {
-    const Tally tally = compared(state(), state());
+    const Tally tally = compared(sample(), sample());
 
     REQUIRE(tally.equal());
     REQUIRE(tally.cells_compared == 1000);
@@ -49,11 +49,11 @@ TEST_CASE("equal states count their cells and nothing else") {
 }
 
 TEST_CASE("one step of a float is one ulp, of one cell, with row, column and both bit patterns") {
-    Snapshot found = state();
+    Snapshot found = sample();
     const auto before = static_cast<float>(found.conc[1][163]);
     found.conc[1][163] = static_cast<double>(std::nextafter(before, 9.0f));
 
-    const Tally tally = compared(state(), found);
+    const Tally tally = compared(sample(), found);
 
     REQUIRE(tally.cells_differing == 1);
     REQUIRE(tally.max_ulp == 1);
@@ -63,17 +63,17 @@ TEST_CASE("one step of a float is one ulp, of one cell, with row, column and bot
 }
 
 TEST_CASE("a cell that differs in many values is one cell") {
-    Snapshot found = state();
+    Snapshot found = sample();
     found.conc[0][7] += 1;
     found.diff[1][7] += 1;
     found.birth[7] = 0;
     found.x[9] += 1;
 
-    REQUIRE(compared(state(), found).cells_differing == 2);
+    REQUIRE(compared(sample(), found).cells_differing == 2);
 }
 
 TEST_CASE("every array is looked at") {
-    const Snapshot expected = state();
+    const Snapshot expected = sample();
     const auto change = GENERATE(
         as<void (*)(Snapshot&)>{}, [](Snapshot& s) { s.conc[0][999] += 1; }, [](Snapshot& s) { s.diff[1][0] += 1; },
         [](Snapshot& s) { s.mappings[0][5] += 1; }, [](Snapshot& s) { s.x[5] += 1; }, [](Snapshot& s) { s.y[5] += 1; },
@@ -91,7 +91,7 @@ TEST_CASE("every array is looked at") {
 }
 
 TEST_CASE("signs of zero differ, NaNs are one value, a NaN in one place alone is not") {
-    Snapshot expected = state();
+    Snapshot expected = sample();
     expected.conc[0][1] = 0.0;
     expected.conc[0][2] = not_a_number;
     Snapshot found = expected;
@@ -107,11 +107,11 @@ TEST_CASE("signs of zero differ, NaNs are one value, a NaN in one place alone is
 }
 
 TEST_CASE("what a device gave has a fingerprint of its own") {
-    Snapshot other = state();
+    Snapshot other = sample();
     other.diff[0][500] = std::nextafter(other.diff[0][500], 9.0);
 
-    REQUIRE(compared(state(), state()).found.value() == compared(other, state()).found.value());
-    REQUIRE(compared(state(), state()).found.value() != compared(state(), other).found.value());
+    REQUIRE(compared(sample(), sample()).found.value() == compared(other, sample()).found.value());
+    REQUIRE(compared(sample(), sample()).found.value() != compared(sample(), other).found.value());
 }
 
 TEST_CASE("steps between numbers are counted across zero") {

@@ -16,9 +16,9 @@ namespace pelage {
 
 namespace {
 
-constexpr std::array<const char*, cell_array_count> names{"positions",  "concentrations", "rates",
-                                                          "polarities", "mappings",       "neighbour counts",
-                                                          "ids",        "births",         "fixed marks"};
+constexpr std::array<const char*, cell_array_count> array_names{"positions",  "concentrations", "rates",
+                                                                "polarities", "mappings",       "neighbour counts",
+                                                                "ids",        "births",         "fixed marks"};
 
 bool integers(std::size_t array) { return array >= static_cast<std::size_t>(CellArray::neighbours); }
 
@@ -106,8 +106,8 @@ void CellsState::reserve(std::size_t cells) {
         *its_pitch++ = pitch;
     };
     for (std::size_t array = 0; array < cell_array_count; ++array) {
-        regrow(now_[array], planes_[array], element_bytes(array), names[array]);
-        regrow(spare_[array], planes_[array], element_bytes(array), names[array]);
+        regrow(now_[array], planes_[array], element_bytes(array), array_names[array]);
+        regrow(spare_[array], planes_[array], element_bytes(array), array_names[array]);
     }
     regrow(built_, 2, session_.scalar_bytes(), "earlier positions");
     regrow(place_of_, 1, sizeof(cl_int), "places of cells");

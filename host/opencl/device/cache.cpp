@@ -16,7 +16,7 @@ namespace pelage {
 
 namespace {
 
-constexpr std::string_view magic = "pelage compiled program 1\n";
+constexpr std::string_view cache_magic = "pelage compiled program 1\n";
 
 // FNV-1a, 64 bits.
 std::uint64_t hash(std::string_view bytes, std::uint64_t value = 0xcbf29ce484222325u) {
@@ -38,7 +38,8 @@ std::string key_text(const CacheKey& key) {
 
 std::string entry_text(const CacheKey& key, const Binary& binary) {
     const std::string body = key_text(key) + std::string(binary.begin(), binary.end());
-    return fmt::format("{}{:016x} {:016x} {:016x}\n", magic, body.size() - binary.size(), binary.size(), hash(body)) +
+    return fmt::format("{}{:016x} {:016x} {:016x}\n", cache_magic, body.size() - binary.size(), binary.size(),
+                       hash(body)) +
            body;
 }
 
@@ -73,7 +74,7 @@ std::optional<Binary> load_cached(const std::filesystem::path& folder, const Cac
     const auto found = contents(cache_file(folder, key));
     if (!found) return {};
     const std::string expected_key = key_text(key);
-    const std::size_t head = magic.size() + 3 * 17;
+    const std::size_t head = cache_magic.size() + 3 * 17;
     if (found->size() < head + expected_key.size()) return {};
     const Binary binary(found->begin() + static_cast<std::ptrdiff_t>(head + expected_key.size()), found->end());
     if (*found != entry_text(key, binary)) return {};

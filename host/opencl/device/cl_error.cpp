@@ -9,7 +9,7 @@ namespace pelage {
 
 namespace {
 
-const std::map<cl_int, const char*>& names() {
+const std::map<cl_int, const char*>& names_of_codes() {
     static const auto& table = *new const std::map<cl_int, const char*>{
         {-1, "CL_DEVICE_NOT_FOUND"},
         {-2, "CL_DEVICE_NOT_AVAILABLE"},
@@ -77,8 +77,8 @@ const std::map<cl_int, const char*>& names() {
 }  // namespace
 
 std::string cl_error_name(cl_int code) {
-    const auto found = names().find(code);
-    return found == names().end() ? fmt::format("error {}", code) : found->second;
+    const auto found = names_of_codes().find(code);
+    return found == names_of_codes().end() ? fmt::format("error {}", code) : found->second;
 }
 
 Error cl_failure(const cl::Error& error, const std::string& device) {

@@ -13,12 +13,12 @@ namespace {
 // Below this many cells one thread is done before a second has woken up.
 constexpr std::size_t alone_below = 40'000;
 // Work of one launch, so that the host gets its turn every few milliseconds.
-constexpr std::size_t cells_a_launch = 4'000'000;
+constexpr std::size_t cells_a_stretch = 4'000'000;
 // Scratch and carried rows of a group should stay in its core's second-level cache.
 constexpr std::size_t scratch_bytes = 512 * 1024;
 
 // rusticl on llvmpipe ends a work-item silently after 65,535 turns of all its loops.
-constexpr std::size_t turns_a_launch = 60'000;
+constexpr std::size_t turns_a_stretch = 60'000;
 
 // Turns of all loops that a work-item takes in one pass of kernels/lattice/stream.cl, no fewer.
 std::size_t turns_of_pass(const FusedShape& shape, const FusedLaunch& launch) {
@@ -133,7 +133,7 @@ FusedLaunch stream_launch(const DeviceInfo& device, const Grid& grid, const Fuse
     launch.strip = divided(grid.rows, launch.strips);
     launch.strips = divided(grid.rows, launch.strip);
     const bool ends_loops = device.software_rasteriser();
-    while (ends_loops && launch.strip > 1 && turns_of_pass(shape, launch) > turns_a_launch) {
+    while (ends_loops && launch.strip > 1 && turns_of_pass(shape, launch) > turns_a_stretch) {
         launch.strip = divided(launch.strip, 2);
         launch.strips = divided(grid.rows, launch.strip);
     }
@@ -145,8 +145,8 @@ FusedLaunch stream_launch(const DeviceInfo& device, const Grid& grid, const Fuse
     }
     launch.together = shape.together && launch.bands == 1 && launch.strips > 1;
     if (launch.together || launch.bands * launch.strips == 1) {
-        std::size_t most = std::max<std::size_t>(1, cells_a_launch / (grid.cells() * launch.steps));
-        if (ends_loops) most = std::clamp<std::size_t>(turns_a_launch / turns_of_pass(shape, launch), 1, most);
+        std::size_t most = std::max<std::size_t>(1, cells_a_stretch / (grid.cells() * launch.steps));
+        if (ends_loops) most = std::clamp<std::size_t>(turns_a_stretch / turns_of_pass(shape, launch), 1, most);
         launch.passes = std::min<std::uint64_t>(most, count / launch.steps);
     }
     return launch;

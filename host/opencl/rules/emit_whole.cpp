@@ -14,11 +14,11 @@ namespace {
 
 constexpr double largest = std::numeric_limits<std::uint32_t>::max();
 
-constexpr WholeRange none{1, 0, true};
+constexpr WholeRange no_range{1, 0, true};
 
 // Up to the largest whole number that is not above `limit`.
 WholeRange up_to(double limit) {
-    if (limit < 0.0) return none;
+    if (limit < 0.0) return no_range;
     return {0, static_cast<std::uint32_t>(std::min(limit, largest)), true};
 }
 
@@ -66,7 +66,7 @@ WholeRange whole_range(Comparison comparison, double number) {
     const auto exactly = static_cast<std::uint32_t>(whole ? below : 0.0);
     switch (comparison) {
         case Comparison::equal:
-            return whole ? WholeRange{exactly, exactly, true} : none;
+            return whole ? WholeRange{exactly, exactly, true} : no_range;
         case Comparison::not_equal:
             return others(whole_range(Comparison::equal, number));
         case Comparison::less:
@@ -78,7 +78,7 @@ WholeRange whole_range(Comparison comparison, double number) {
         case Comparison::greater:
             return others(up_to(below));
     }
-    return none;
+    return no_range;
 }
 
 std::string emit_whole_test(const std::string& whole, Comparison comparison, double number, Numbers& numbers) {

@@ -65,6 +65,8 @@ private:
     bool ended_ = false;
 };
 
+inline const std::string program = PELAGE_COMMAND;
+
 // pelage WORDS..., to its end.
 Outcome command(std::vector<std::string> words, const Surroundings& = {});
 

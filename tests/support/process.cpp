@@ -1,5 +1,5 @@
 // See process.hpp.
-#include "process.hpp"
+#include "support/process.hpp"
 
 #include <fcntl.h>
 #include <sys/resource.h>
