@@ -2,7 +2,9 @@
 // The language parses text into it; a C++ user may also fill one by hand and call validate().
 #pragma once
 
+#include "core/expression.hpp"
 #include "core/models.hpp"
+#include "core/operand.hpp"
 #include "core/parameter.hpp"
 
 #include <array>
@@ -56,58 +58,7 @@ struct Chemical {
     std::shared_ptr<const Field> initial;  // from a picture or array; overrides `use` and `set` when present
 };
 
-// ---- parameters of rules
-
-enum class Quantity {
-    number,      // Operand::value
-    neighbours,  // as counted in the previous iteration; 0 at iteration 0 and for a newborn cell
-    age,
-    birth,
-    x,
-    y,
-    row,
-    column,
-    rows,
-    columns,
-    iteration,
-    random,         // uniform in [0, 1), a fresh draw for each cell, iteration and place in the file
-    concentration,  // of chemical Operand::index
-    rate,           // diffusion rate of chemical Operand::index
-    mapping         // mapping Operand::index
-};
-
-// Whole numbers from 0 to largest_iteration. Compared with each other and with written numbers they are exact, in any
-// precision; everywhere else they are rounded to the precision of the run.
-constexpr bool is_whole(Quantity quantity) {
-    switch (quantity) {
-        case Quantity::neighbours:
-        case Quantity::age:
-        case Quantity::birth:
-        case Quantity::row:
-        case Quantity::column:
-        case Quantity::rows:
-        case Quantity::columns:
-        case Quantity::iteration:
-            return true;
-        default:
-            return false;
-    }
-}
-
-struct Operand {
-    Quantity quantity = Quantity::number;
-    double value = 0.0;
-    std::size_t index = 0;
-
-    static Operand number(double v) { return {Quantity::number, v, 0}; }
-    static Operand concentration(std::size_t chemical) { return {Quantity::concentration, 0.0, chemical}; }
-    static Operand rate(std::size_t chemical) { return {Quantity::rate, 0.0, chemical}; }
-    bool operator==(const Operand&) const = default;
-};
-
 // ---- conditions
-
-enum class Comparison { equal, not_equal, less, less_equal, greater, greater_equal };
 
 struct Always {};
 struct Compare {
@@ -125,12 +76,6 @@ struct Probability {  // true where a uniform draw in [0, 1) is less than chance
 };
 using Condition = std::variant<Always, Compare, Within, Probability>;
 
-// Truth where the two are compared exactly: a whole quantity with another one or with a written number.
-constexpr bool compared_exactly(const Operand& a, const Operand& b) {
-    const bool whole_a = is_whole(a.quantity), whole_b = is_whole(b.quantity);
-    return (whole_a && (whole_b || b.quantity == Quantity::number)) || (whole_b && a.quantity == Quantity::number);
-}
-
 // ---- actions
 
 // Adds scale * f(species) * dt to each species that the model changes.
@@ -139,6 +84,15 @@ struct React {
     std::vector<std::size_t> species;  // chemicals, in the order of ModelFacts::species; all different
     Operand scale = Operand::number(1.0);
     std::vector<Operand> parameters;  // in the order of ModelFacts::parameters
+};
+
+// A reaction written out: adds rate * dt to each chemical, all rates being computed from the old state.
+struct Formula {
+    struct Part {
+        std::size_t chemical = 0;
+        Operand rate;
+    };
+    std::vector<Part> parts;  // chemicals all different
 };
 
 enum class Target { concentration, rate };
@@ -200,7 +154,7 @@ struct Expand {
     std::optional<Interpolation> interpolation = std::nullopt;  // 2020 paper, figure 22
 };
 
-using Action = std::variant<React, Change, Set, Map, Polarize, Divide, Move, And, Expand>;
+using Action = std::variant<React, Formula, Change, Set, Map, Polarize, Divide, Move, And, Expand>;
 
 struct Rule {
     std::size_t line = 0;           // in the experiment file; 0 when built by hand
@@ -215,11 +169,39 @@ struct Rule {
     bool active(std::uint64_t iteration) const;
 };
 
+// ---- what belongs to places
+
+inline constexpr std::size_t largest_field_count = 128;
+
+struct ComputedField {
+    Expression expression;  // of the place, of numbers, of fields before it, of RANDOM
+};
+
+enum class Fit {
+    stretch,  // over the whole lattice, interpolated between the centres of pixels
+    tile,     // a pixel a cell from the lower left corner on, repeated
+    centre    // a pixel a cell, the middles of picture and lattice in one place
+};
+
+struct PictureField {
+    std::shared_ptr<const Field> picture;  // null: it was left out
+    Fit fit = Fit::stretch;
+    double beside = 0.0;  // where a centred picture does not reach
+};
+
+// A number for each place of a lattice, computed when the run begins and when the lattice has grown; see fields.hpp.
+struct PlaceField {
+    std::string name;  // empty: a part of an expression
+    std::size_t line = 0;
+    std::variant<ComputedField, PictureField> source;
+};
+
 // ---- how the tissue starts: statements carried out in order (see prepattern.hpp)
 
 struct Spread {  // uniform in [value - deviation, value + deviation]
     double value = 0.0;
     double deviation = 0.0;
+    std::optional<std::size_t> expression = std::nullopt;  // place in Experiment::expressions: gives the value instead
 };
 
 struct UseChemical {
@@ -274,6 +256,7 @@ struct SetCells {
     std::size_t first = 0;
     std::size_t last = 0;  // inclusive
     std::variant<SetConcentration, SetRate, SetPolarity, SetFixed> what;
+    std::optional<std::size_t> where = std::nullopt;  // place in Experiment::expressions: only cells where it is true
 };
 using Statement =
     std::variant<UseChemical, UsePolarity, UseSeed, CreateCell, CreateGrid, CreateMatrix, CreateShape, SetCells>;
@@ -338,6 +321,8 @@ struct Experiment {
 
     std::vector<Chemical> chemicals;
     std::vector<std::string> mappings;
+    std::vector<Expression> expressions;  // that operands and starts name
+    std::vector<PlaceField> fields;
     std::vector<Statement> prepattern;
     std::vector<Rule> rules;
     std::vector<Phase> phases;

@@ -25,4 +25,9 @@ const std::vector<FunctionFacts>& part_table();
 // The place of a function in the table; nothing where there is none of that name.
 std::optional<std::size_t> function_named(std::string_view name);
 
+// out[i] of columns[0][i], columns[1][i], ... for i < count, as the reference computes it
+// (reference/rules/functions.hpp, where it is defined); T is float or double.
+template <class T>
+void compute_function(std::size_t index, const T* const* columns, std::size_t count, T* out);
+
 }  // namespace pelage

@@ -17,7 +17,7 @@ bool prepattern_varies_rate(const Experiment& experiment, std::size_t chemical) 
     for (const Statement& statement : experiment.prepattern) {
         if (const auto* use = std::get_if<UseChemical>(&statement)) {
             if (use->chemical != chemical || !use->diff) continue;
-            if (use->diff->deviation != 0.0 || ++uses > 1) return true;
+            if (use->diff->expression || use->diff->deviation != 0.0 || ++uses > 1) return true;
         } else if (const auto* set = std::get_if<SetCells>(&statement)) {
             const auto* rate = std::get_if<SetRate>(&set->what);
             if (rate != nullptr && rate->chemical == chemical) return true;

@@ -3,9 +3,13 @@
 
 #include "core/arrangements.hpp"
 #include "core/error.hpp"
+#include "core/fields.hpp"
+#include "core/philox.hpp"
 #include "core/published_random.hpp"
+#include "core/scene.hpp"
 #include "core/seed.hpp"
 #include "core/space.hpp"
+#include "core/subnormal.hpp"
 
 #include <fmt/format.h>
 
@@ -13,6 +17,7 @@
 #include <cctype>
 #include <cmath>
 #include <numbers>
+#include <type_traits>
 
 namespace pelage {
 
@@ -82,12 +87,27 @@ public:
         for (std::size_t letter = 0; letter < 26; ++letter) pair_mirrors(upper[letter], lower[letter]);
     }
 
+    // Carries out the `place`th statement.
+    void take(const Statement& statement, std::size_t place) {
+        place_ = place;
+        const std::size_t before = state_.cells();
+        std::visit(*this, statement);
+        if (state_.cells() == before) return;
+        for (std::size_t chemical = 0; chemical < conc_.size(); ++chemical) {
+            compute(chemical, false, before);
+            compute(chemical, true, before);
+        }
+    }
+
     void operator()(const SetCells& set) {
         if (set.last < set.first || set.last >= state_.cells()) {
             throw Error(fmt::format("{}: `set` names cells {} to {}; cells 0 to {} exist", experiment_.source,
                                     set.first, set.last, static_cast<std::int64_t>(state_.cells()) - 1));
         }
+        const std::vector<double> where = set.where ? values(*set.where, 0) : std::vector<double>();
+        computed_ = expression_of(set.what) ? values(*expression_of(set.what), 1) : std::vector<double>();
         for (std::size_t cell = set.first; cell <= set.last; ++cell) {
+            if (!where.empty() && where[cell] == 0.0) continue;
             std::visit([&](const auto& what) { apply(what, cell); }, set.what);
         }
     }
@@ -120,6 +140,7 @@ private:
     static bool drawn(const Spread& spread) { return static_cast<float>(spread.deviation) != 0.0f; }
 
     T draw(const Spread& spread) {
+        if (spread.expression) return T(0);  // until compute()
         if (!drawn(spread)) return static_cast<T>(spread.value);
         return random_.deviate(static_cast<float>(spread.value), static_cast<float>(spread.deviation));
     }
@@ -152,8 +173,85 @@ private:
         state_.fixed.push_back(fixed ? 1 : 0);
     }
 
-    void apply(const SetConcentration& set, std::size_t cell) { state_.conc[set.chemical][cell] = draw(set.value); }
-    void apply(const SetRate& set, std::size_t cell) { state_.diff[set.chemical][cell] = draw(set.value); }
+    // ---- expressions
+
+    static std::optional<std::size_t> expression_of(const decltype(SetCells::what)& what) {
+        if (const auto* set = std::get_if<SetConcentration>(&what)) return set->value.expression;
+        if (const auto* set = std::get_if<SetRate>(&what)) return set->value.expression;
+        return std::nullopt;
+    }
+
+    // Those of free cells are computed where the cells are.
+    void add_fields(Scene& scene) const {
+        for (const PlaceField& field : experiment_.fields)
+            scene.fields.push_back(evaluate(std::get<ComputedField>(field.source).expression, scene));
+    }
+
+    // Of all cells that there are. `nth`: which of the statement's expressions it is, for its draws.
+    std::vector<double> values(std::size_t expression, std::uint32_t nth) {
+        Scene scene;
+        const Space space = space_of(experiment_);
+        if (const auto* lattice = std::get_if<Lattice>(&space)) {
+            scene.columns = lattice->columns;
+            scene.rows = lattice->rows;
+            scene.fields = field_values(experiment_, {lattice->columns, lattice->rows, lattice->x, lattice->y},
+                                        std::is_same_v<T, float> ? Precision::single_ : Precision::double_);
+        }
+        scene.x = state_.x;
+        scene.y = state_.y;
+        if (scene.columns == 0) add_fields(scene);
+        scene.conc = &state_.conc;
+        scene.diff = &state_.diff;
+        scene.seed = experiment_.run_seed();
+        scene.place = static_cast<std::uint32_t>(place_);
+        scene.purpose = purpose::start + (nth << 16);
+        std::vector<double> found = evaluate(experiment_.expressions[expression], scene);
+        for (double& value : found) value = double{in_precision<T>(value)};
+        return found;
+    }
+
+    // The values of the cells from `first` on, where the spread is an expression.
+    void compute(std::size_t chemical, bool rate, std::size_t first) {
+        const Spread& spread = (rate ? diff_ : conc_)[chemical];
+        if (!spread.expression) return;
+        const std::vector<double> found =
+            values(*spread.expression, static_cast<std::uint32_t>(2 * chemical + (rate ? 1 : 0)));
+        std::vector<double>& column = (rate ? state_.diff : state_.conc)[chemical];
+        for (std::size_t cell = first; cell < column.size(); ++cell) {
+            judge(chemical, rate, found[cell], cell);
+            column[cell] = found[cell];
+        }
+    }
+
+    // What an expression gives must lie within the bounds of the first phase, a rate not below 0.
+    void judge(std::size_t chemical, bool rate, double value, std::size_t cell) const {
+        Bounds allowed;
+        if (!rate) {
+            const Bounds& bounds = experiment_.phases.front().bounds[chemical];
+            allowed = {double{in_precision<T>(bounds.floor)}, double{in_precision<T>(bounds.limit)}};
+        }
+        if (value >= allowed.floor && value <= allowed.limit && std::isfinite(value)) return;
+        refuse(chemical, cell, rate ? "diffusion rate" : "concentration", value, allowed);
+    }
+    [[noreturn]] void refuse(std::size_t chemical, std::size_t cell, const char* what, double found,
+                             const Bounds& allowed) const {
+        throw Error(fmt::format(
+            "{}: an expression starts '{}' with the {} {:.9g} in cell {}; it must be a number from {} "
+            "to {}",
+            experiment_.source, experiment_.chemicals[chemical].name, what, found, cell, allowed.floor, allowed.limit));
+    }
+
+    T amount(std::size_t chemical, bool rate, const Spread& spread, std::size_t cell) {
+        if (!spread.expression) return draw(spread);
+        judge(chemical, rate, computed_[cell], cell);
+        return static_cast<T>(computed_[cell]);
+    }
+    void apply(const SetConcentration& set, std::size_t cell) {
+        state_.conc[set.chemical][cell] = amount(set.chemical, false, set.value, cell);
+    }
+    void apply(const SetRate& set, std::size_t cell) {
+        state_.diff[set.chemical][cell] = amount(set.chemical, true, set.value, cell);
+    }
     void apply(const SetPolarity& set, std::size_t cell) {
         const Polarity polarity = draw_polarity(set.degrees);
         state_.polarity_x[cell] = polarity.x;
@@ -200,6 +298,8 @@ private:
     std::vector<Spread> diff_;
     std::optional<Spread> polarity_;
     Snapshot state_;
+    std::size_t place_ = 0;         // of the statement at hand
+    std::vector<double> computed_;  // values of a `set`
 };
 
 struct Counter {
@@ -231,7 +331,8 @@ namespace {
 template <class T>
 Snapshot built(const Experiment& experiment) {
     Builder<T> builder(experiment);
-    for (const Statement& statement : experiment.prepattern) std::visit(builder, statement);
+    for (std::size_t place = 0; place < experiment.prepattern.size(); ++place)
+        builder.take(experiment.prepattern[place], place);
     return builder.finish();
 }
 

@@ -14,13 +14,13 @@ namespace pelage {
 
 namespace {
 
-struct Extent {
+struct Reach {
     double low = 0.0;
     double high = 0.0;
 };
 
 // Where the values of a spread lie: drawn ones in float, as initial_state() draws them.
-Extent reach(const Spread& spread) {
+Reach reach(const Spread& spread) {
     const auto value = static_cast<float>(spread.value);
     const auto deviation = static_cast<float>(spread.deviation);
     if (deviation == 0.0f) return {spread.value, spread.value};
@@ -84,8 +84,10 @@ private:
         found_.push_back({place_, std::nullopt, of_rate, false, refused, std::move(text)});
     }
 
+    // What an expression gives is known when the cells are there: initial_state() judges it.
     void rate(std::size_t chemical, const Spread& spread) {
-        const Extent values = reach(spread);
+        if (spread.expression) return;
+        const Reach values = reach(spread);
         if (!(values.low < 0.0)) return;
         if (drawn(spread)) {
             return note(true, true,
@@ -106,8 +108,8 @@ private:
     }
 
     void concentration(std::size_t chemical, const Spread& spread) {
-        if (experiment_.chemicals[chemical].initial) return;
-        const Extent values = reach(spread);
+        if (experiment_.chemicals[chemical].initial || spread.expression) return;
+        const Reach values = reach(spread);
         const Bounds& allowed = bounds(chemical);
         if (!below(values.low, allowed) && !above(values.high, allowed)) return;
         if (!drawn(spread)) {

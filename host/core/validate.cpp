@@ -2,6 +2,7 @@
 #include "core/checks.hpp"
 #include "core/counted.hpp"
 #include "core/experiment.hpp"
+#include "core/scene.hpp"
 #include "core/space.hpp"
 
 #include <fmt/format.h>
@@ -25,6 +26,7 @@ public:
         check_names();
         check_phases();
         validate_start(experiment_);
+        check_fields();
         for (const Rule& rule : experiment_.rules) check_rule(rule);
         for (const Output& output : experiment_.outputs) check_chemical(output.chemical, "an output");
         if (experiment_.outputs.empty()) fail("an experiment needs at least one output");
@@ -88,6 +90,32 @@ private:
         }
     }
 
+    void check_fields() {
+        if (experiment_.fields.size() > largest_field_count)
+            fail(fmt::format("{} fields are defined; at most {} are allowed", experiment_.fields.size(),
+                             largest_field_count));
+        for (std::size_t i = 0; i < experiment_.fields.size(); ++i) {
+            line_ = experiment_.fields[i].line;
+            std::visit([&](const auto& source) { check_field(source, i); }, experiment_.fields[i].source);
+        }
+        line_ = 0;
+    }
+    void check_field(const ComputedField& field, std::size_t place) const {
+        check_expression(field.expression);
+        for (const ExpressionNode& node : field.expression.nodes) {
+            if (node.operation != Operation::operand) continue;
+            check_operand(node.operand);
+            if (!seen_by_field(node.operand.quantity)) fail("a field reads what changes from iteration to iteration");
+            if (node.operand.quantity == Quantity::field && node.operand.index >= place)
+                fail("a field reads one that is defined after it");
+            if (node.operand.quantity == Quantity::random && lattice() == nullptr)
+                fail("a field of free cells cannot be drawn; RANDOM in a field needs a lattice");
+        }
+    }
+    void check_field(const PictureField&, std::size_t) const {
+        if (lattice() == nullptr) fail("a field from a picture needs a lattice; these are free cells");
+    }
+
     const Lattice* lattice() const { return std::get_if<Lattice>(&space_); }
 
     void check_operand(const Operand& operand) const {
@@ -102,6 +130,18 @@ private:
             case Quantity::mapping:
                 if (operand.index >= experiment_.mappings.size()) fail("a rule reads a mapping that is not defined");
                 break;
+            case Quantity::laplacian:
+            case Quantity::gradient_x:
+            case Quantity::gradient_y:
+                check_chemical(operand.index, "a rule");
+                if (lattice() == nullptr) fail("laplacian and gradients need a lattice; these are free cells");
+                break;
+            case Quantity::field:
+                if (operand.index >= experiment_.fields.size()) fail("a rule reads a field that is not defined");
+                break;
+            case Quantity::expression:
+                check_expression_at(operand.index);
+                break;
             case Quantity::row:
             case Quantity::column:
             case Quantity::rows:
@@ -111,6 +151,15 @@ private:
                 break;
             default:
                 break;
+        }
+    }
+
+    void check_expression_at(std::size_t index) const {
+        if (index >= experiment_.expressions.size()) fail("a rule reads an expression that is not defined");
+        const Expression& expression = experiment_.expressions[index];
+        check_expression(expression);
+        for (const ExpressionNode& node : expression.nodes) {
+            if (node.operation == Operation::operand) check_operand(node.operand);
         }
     }
 
@@ -151,6 +200,15 @@ private:
                              react.parameters.size()));
         }
         for (const Operand& parameter : react.parameters) check_operand(parameter);
+    }
+    void check_action(const Rule&, const Formula& formula) const {
+        std::set<std::size_t> chemicals;
+        for (const Formula::Part& part : formula.parts) {
+            check_chemical(part.chemical, "a formula");
+            check_operand(part.rate);
+            if (!chemicals.insert(part.chemical).second) fail("a formula changes each chemical at most once");
+        }
+        if (formula.parts.empty()) fail("a formula changes no chemical");
     }
     void check_action(const Rule&, const Change& change) const {
         check_chemical(change.chemical, "a `change`");

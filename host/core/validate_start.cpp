@@ -1,6 +1,7 @@
 // validate()'s part about the tissue's start: places, amounts, sizes, and what start_faults() refuses.
 #include "core/checks.hpp"
 #include "core/prepattern.hpp"
+#include "core/scene.hpp"
 #include "core/starts.hpp"
 #include "core/visit.hpp"
 
@@ -33,7 +34,18 @@ public:
     }
 
 private:
+    void check_expression_at(std::size_t index) const {
+        if (index >= experiment_.expressions.size()) fail("a start reads an expression that is not defined");
+        const Expression& expression = experiment_.expressions[index];
+        check_expression(expression);
+        for (const ExpressionNode& node : expression.nodes) {
+            if (node.operation == Operation::operand && !seen_at_start(node.operand.quantity))
+                fail("a start reads what there is in rules alone");
+        }
+    }
     void check_spread(const Spread& spread, const char* what) const {
+        if (spread.expression) check_expression_at(*spread.expression);
+        if (spread.expression && spread.deviation != 0.0) fail("an expression takes no deviation");
         check_number(spread.value, what);
         check_deviation(spread.deviation);
     }
@@ -63,6 +75,7 @@ private:
     }
     void check_statement(const CreateShape& shape) const { check_place(shape.x, shape.y); }
     void check_statement(const SetCells& set) const {
+        if (set.where) check_expression_at(*set.where);
         std::visit(Overloaded{[&](const SetConcentration& conc) {
                                   check_chemical(conc.chemical, "a `set`");
                                   check_spread(conc.value, "a concentration");

@@ -37,11 +37,7 @@ Action parse_replace(Script& script, Cursor& cursor) {
 std::size_t parse_mapping(Script& script, Cursor& cursor) {
     const Token& name = cursor.value("the mapping's name");
     if (const auto known = script.find_mapping(name.text)) return *known;
-    check_name(cursor, name, "mapping");
-    if (cursor.parameter(name) != nullptr)
-        cursor.fail(name, fmt::format("'{}' is a parameter; choose another name", name.text));
-    if (script.find_chemical(name.text))
-        cursor.fail(name, fmt::format("'{}' is a chemical; choose another name", name.text));
+    check_name(script, cursor, name, "mapping");
     auto& mappings = script.experiment.mappings;
     if (mappings.size() == largest_mapping_count) {
         cursor.fail(name, fmt::format("one mapping too many; at most {} are allowed", largest_mapping_count));

@@ -1,6 +1,8 @@
 // See cursor.hpp.
 #include "language/cursor.hpp"
 
+#include "language/expression.hpp"
+
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -50,6 +52,32 @@ std::string kind_of(const Range& range) {
     if (low) return fmt::format("a number not below {}", range.low);
     return "a number";
 }
+
+}  // namespace
+
+namespace {
+
+// Where a number must be known while the file is being read.
+class ConstantNames final : public Names {
+public:
+    explicit ConstantNames(const std::vector<Parameter>& parameters) : parameters_(parameters) {}
+
+    std::optional<Operand> find(const Token& at) const override {
+        const auto found = std::ranges::find(parameters_, at.text, &Parameter::name);
+        if (found == parameters_.end()) return std::nullopt;
+        return Operand::number(found->value);
+    }
+    std::optional<Operand> of_chemical(const Token&, const Token&) const override { return std::nullopt; }
+    bool takes_chemical(std::string_view) const override { return false; }
+    std::vector<std::string_view> all() const override {
+        std::vector<std::string_view> names;
+        for (const Parameter& one : parameters_) names.push_back(one.name);
+        return names;
+    }
+
+private:
+    const std::vector<Parameter>& parameters_;
+};
 
 }  // namespace
 
@@ -106,8 +134,15 @@ const Parameter* Cursor::parameter(const Token& token) const {
     return found == parameters_->end() ? nullptr : &*found;
 }
 
-std::optional<double> Cursor::number_here() const {
+// The value of a parameter or an expression.
+std::optional<double> Cursor::computed_here() const {
     if (const Parameter* named = parameter(peek())) return named->value;
+    if (!is_expression(peek())) return std::nullopt;
+    return read_expression(*this, peek(), ConstantNames(*parameters_)).nodes.back().operand.value;
+}
+
+std::optional<double> Cursor::number_here() const {
+    if (const auto computed = computed_here()) return computed;
     return peek().quoted ? std::nullopt : to_number(peek().text);
 }
 
@@ -128,10 +163,10 @@ double Cursor::number(std::string_view what, Range range) {
 // Empty where it does not fit the type.
 template <class Integer>
 std::optional<Integer> Cursor::integer_here(std::string_view what, std::string_view kind) const {
-    if (const Parameter* named = parameter(peek())) {
-        if (std::floor(named->value) != named->value) needs(peek(), "is not a whole number", what, kind);
-        if (std::fabs(named->value) > largest_whole) needs(peek(), "is too large to be exact", what, kind);
-        return to_integer<Integer>(fmt::format("{:.0f}", named->value));
+    if (const auto computed = computed_here()) {
+        if (std::floor(*computed) != *computed) needs(peek(), "is not a whole number", what, kind);
+        if (std::fabs(*computed) > largest_whole) needs(peek(), "is too large to be exact", what, kind);
+        return to_integer<Integer>(fmt::format("{:.0f}", *computed));
     }
     if (peek().quoted || !whole(peek().text)) needs(peek(), "is not a whole number", what, kind);
     return to_integer<Integer>(peek().text);
@@ -174,6 +209,10 @@ void Cursor::needs(const Token& at, std::string_view found, std::string_view wha
 
 // With the value of a parameter.
 std::string Cursor::described(const Token& token) const {
+    if (is_expression(token)) {
+        const double value = read_expression(*this, token, ConstantNames(*parameters_)).nodes.back().operand.value;
+        return fmt::format("expression {} is {:g}, which", shown(token), value);
+    }
     const Parameter* named = parameter(token);
     if (named == nullptr) return shown(token);
     return fmt::format("parameter {} of line {} is {:g}, which", shown(token), named->line, named->value);

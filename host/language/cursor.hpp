@@ -49,8 +49,9 @@ std::optional<double> to_number(std::string_view text);
 
 class Cursor {
 public:
-    // Splits the line at spaces and tabs; "//" starts a comment. Throws Error for control characters, for bytes
-    // above 127 outside quotes and for a quote that is not closed. Names of `parameters` stand for numbers.
+    // Splits the line at spaces and tabs, outside parentheses; "//" starts a comment. Throws Error for control
+    // characters, for bytes above 127 outside quotes and for a quote or a parenthesis that is not closed. Names of
+    // `parameters` stand for numbers, and so do expressions made of them.
     Cursor(std::string_view source, std::size_t line, std::string_view text, const std::vector<Parameter>& parameters);
 
     // The text between a token's quotes, a comma being a word of its own.
@@ -82,6 +83,10 @@ public:
 private:
     Cursor(std::string_view source, std::size_t line, std::string_view text, const std::vector<Parameter>* parameters,
            std::size_t from, std::size_t to, bool commas);
+    bool starts_comment(std::size_t at) const;
+    std::size_t end_of_word(std::size_t at, std::size_t to, bool commas) const;
+    std::size_t end_of_expression(std::size_t at, std::size_t to) const;
+    std::optional<double> computed_here() const;
     std::optional<double> number_here() const;
     template <class Integer>
     std::optional<Integer> integer_here(std::string_view what, std::string_view kind) const;

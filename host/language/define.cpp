@@ -1,7 +1,5 @@
-// define chemical | parameter | division_limit | domain | time_step | stencil
-#include "io/field.hpp"
-#include "io/file_bytes.hpp"
-#include "io/sha256.hpp"
+// define chemical | parameter | field | division_limit | domain | time_step | stencil
+#include "language/picture.hpp"
 #include "language/statements.hpp"
 
 #include <fmt/format.h>
@@ -15,13 +13,6 @@ namespace {
 
 constexpr std::array<std::string_view, 6> chemical_words{"limit", "floor", "conc", "channel", "from", "anisotropic"};
 
-struct PictureOptions {
-    const Token* file = nullptr;
-    std::string channel;
-    double low = 0.0;
-    double high = 1.0;
-};
-
 struct ChemicalOptions {
     Bounds bounds;
     bool anisotropic = false;
@@ -31,12 +22,6 @@ struct ChemicalOptions {
 double parse_bound(Cursor& cursor, std::string_view what, double none) {
     if (cursor.take("none")) return none;
     return cursor.number(what);
-}
-
-void parse_scale(Cursor& cursor, PictureOptions& picture) {
-    picture.low = cursor.number("the lowest value");
-    cursor.expect("to");
-    picture.high = cursor.number("the highest value");
 }
 
 // Changes what the options say and leaves the rest as it is.
@@ -57,7 +42,7 @@ void parse_options(Cursor& cursor, Words words, ChemicalOptions& chemical) {
         else if (word == "conc")
             picture.file = &cursor.text("the picture's name");
         else if (word == "channel")
-            picture.channel = (cursor.peek().quoted ? cursor.next() : cursor.value("the channel")).text;
+            parse_channel(cursor, picture);
         else if (word == "from")
             parse_scale(cursor, picture);
         else
@@ -73,30 +58,6 @@ void check_bounds(const Cursor& cursor, const Token& name, const Bounds& bounds)
     cursor.fail(name, fmt::format("the floor {} of '{}' is above its limit {}", bounds.floor, name.text, bounds.limit));
 }
 
-std::shared_ptr<const Field> scaled(Field field, double low, double high) {
-    if (low != 0.0 || high != 1.0) {
-        for (double& value : field.values) value = low + value * (high - low);
-    }
-    return std::make_shared<const Field>(std::move(field));
-}
-
-void load_picture(Script& script, const Cursor& cursor, const PictureOptions& picture, Chemical& chemical) {
-    const std::string name(picture.file->text);
-    if (script.pictures() == StartPictures::left_out) {
-        script.experiment.inputs.push_back({name, {}});
-        return;
-    }
-    try {
-        const std::string path = script.resolve(name).string();
-        const std::string bytes = read_file(path);
-        chemical.initial = scaled(parse_field(bytes, picture.channel, path), picture.low, picture.high);
-        script.experiment.inputs.push_back({name, sha256(bytes)});
-    } catch (const Error& error) {
-        cursor.fail(*picture.file, error.what());
-    }
-    script.shows_picture(cursor, *picture.file);
-}
-
 // Inside a phase: new bounds for a chemical that exists.
 void parse_phase_bounds(Script& script, Cursor& cursor) {
     const Token& name = cursor.peek();
@@ -110,12 +71,7 @@ void parse_phase_bounds(Script& script, Cursor& cursor) {
 void parse_chemical(Script& script, Cursor& cursor) {
     if (script.in_phase()) return parse_phase_bounds(script, cursor);
     const Token& name = cursor.value("the chemical's name");
-    check_name(cursor, name, "chemical");
-    if (script.find_chemical(name.text)) cursor.fail(name, fmt::format("chemical '{}' is defined already", name.text));
-    if (script.find_mapping(name.text))
-        cursor.fail(name, fmt::format("'{}' is a mapping; choose another name", name.text));
-    if (cursor.parameter(name) != nullptr)
-        cursor.fail(name, fmt::format("'{}' is a parameter; choose another name", name.text));
+    check_name(script, cursor, name, "chemical");
     auto& chemicals = script.experiment.chemicals;
     if (chemicals.size() == largest_chemical_count) {
         cursor.fail(name, fmt::format("one chemical too many; at most {} are allowed", largest_chemical_count));
@@ -127,7 +83,10 @@ void parse_chemical(Script& script, Cursor& cursor) {
     check_bounds(cursor, name, options.bounds);
     chemical.bounds = options.bounds;
     chemical.anisotropic = options.anisotropic;
-    if (options.picture.file != nullptr) load_picture(script, cursor, options.picture, chemical);
+    if (options.picture.file != nullptr) {
+        chemical.initial = load_picture(script, cursor, options.picture);
+        if (chemical.initial) script.shows_picture(cursor, *options.picture.file);
+    }
     script.phase().bounds.push_back(chemical.bounds);
     chemicals.push_back(std::move(chemical));
 }
@@ -166,8 +125,8 @@ void parse_time_step(Script& script, Cursor& cursor) {
 }  // namespace
 
 void parse_define(Script& script, Cursor& cursor) {
-    static constexpr std::array<std::string_view, 6> words{"chemical", "time_step", "division_limit",
-                                                           "domain",   "stencil",   "parameter"};
+    static constexpr std::array<std::string_view, 7> words{"chemical", "time_step", "division_limit", "domain",
+                                                           "stencil",  "parameter", "field"};
     const Token& word = cursor.peek();
     const std::size_t what = cursor.choose(words);
     const bool in_phases = word.text == "chemical" || word.text == "time_step";
@@ -184,8 +143,10 @@ void parse_define(Script& script, Cursor& cursor) {
             return parse_domain(script, cursor);
         case 4:
             return parse_stencil(script, cursor, word);
-        default:
+        case 5:
             return parse_parameter(script, cursor);
+        default:
+            return parse_place_field(script, cursor);
     }
 }
 

@@ -1,4 +1,5 @@
 // The end of the file: defaults, and the checks that only the whole experiment allows.
+#include "core/fields.hpp"
 #include "core/space.hpp"
 #include "language/script.hpp"
 
@@ -35,6 +36,7 @@ Experiment Script::finish() {
     snaps.erase(std::unique(snaps.begin(), snaps.end()), snaps.end());
     check_settings();
     check_contents();
+    finish_previous();
     check_arrangement();
     check_pictures();
     check_maps();
@@ -42,6 +44,7 @@ Experiment Script::finish() {
     check_starts();
     finish_outputs();
     validate(experiment);
+    compute_places_once(experiment);
     set_in_text();
     return std::move(experiment);
 }

@@ -41,6 +41,8 @@ public:
                 return {0.0, last_, true};
             case Quantity::iteration:
                 return {first_, last_, true};
+            case Quantity::time:
+                return {experiment_.time_at(static_cast<std::uint64_t>(first_)), infinity, false};
             case Quantity::random:
                 return {0.0, std::nextafter(1.0, 0.0), false};
             case Quantity::row:
@@ -55,6 +57,11 @@ public:
             case Quantity::x:
             case Quantity::y:
             case Quantity::rate:
+            case Quantity::laplacian:
+            case Quantity::gradient_x:
+            case Quantity::gradient_y:
+            case Quantity::field:
+            case Quantity::expression:
                 return {};
         }
         return {};

@@ -1,9 +1,11 @@
 // Lints of what is described and not needed: chemicals, mappings, colours, pictures.
+#include "language/expression.hpp"
 #include "language/lints.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cctype>
 #include <set>
 
 namespace pelage::language {
@@ -13,7 +15,7 @@ namespace {
 // What the rules, all of them, touch.
 class Uses {
 public:
-    explicit Uses(const Experiment& experiment) {
+    explicit Uses(const Experiment& experiment) : experiment_(experiment) {
         for (const Rule& rule : experiment.rules) {
             std::visit([&](const auto& condition) { look(condition); }, rule.condition);
             std::visit([&](const auto& action) { look(action); }, rule.action);
@@ -24,6 +26,9 @@ public:
 
 private:
     void read(const Operand& operand) {
+        if (operand.quantity == Quantity::expression) {
+            for (const ExpressionNode& node : experiment_.expressions[operand.index].nodes) read(node.operand);
+        }
         if (operand.quantity == Quantity::mapping) mappings.insert(operand.index);
         if (operand.quantity == Quantity::concentration || operand.quantity == Quantity::rate)
             chemicals.insert(operand.index);
@@ -44,6 +49,12 @@ private:
         read(react.scale);
         for (const Operand& parameter : react.parameters) read(parameter);
     }
+    void look(const Formula& formula) {
+        for (const Formula::Part& part : formula.parts) {
+            chemicals.insert(part.chemical);
+            read(part.rate);
+        }
+    }
     void look(const Change& change) {
         chemicals.insert(change.chemical);
         read(change.amount);
@@ -58,6 +69,8 @@ private:
     void look(const Move& move) { read(move.distance); }
     void look(const And&) {}
     void look(const Expand&) {}
+
+    const Experiment& experiment_;
 };
 
 bool equal(const Colormap& one, const Colormap& other) {
@@ -136,14 +149,25 @@ void find_equal_outputs(const Sheet& sheet, Reporter& report) {
     }
 }
 
+// Whether the name stands in the text, with nothing before or behind that would make it another one.
+bool names_word(std::string_view text, std::string_view name) {
+    const auto part = [&](std::size_t at) {
+        return at < text.size() && (std::isalnum(static_cast<unsigned char>(text[at])) != 0 || text[at] == '_');
+    };
+    for (std::size_t at = text.find(name); at != std::string_view::npos; at = text.find(name, at + 1)) {
+        if ((at == 0 || !part(at - 1)) && !part(at + name.size())) return true;
+    }
+    return false;
+}
+
 void find_unused_parameters(const Sheet& sheet, Reporter& report) {
     const auto names = [&](const Outline::Statement& statement, const Parameter& parameter) {
         Cursor words = sheet.read(statement.line);
         bool found = false;
         while (!found && !words.done()) {
             const Token& token = words.next();
-            found =
-                token.quoted ? token.text.find(parameter.name) != std::string_view::npos : token.text == parameter.name;
+            found = token.quoted || is_expression(token) ? names_word(token.text, parameter.name)
+                                                         : token.text == parameter.name;
         }
         return found && statement.line != parameter.line;
     };

@@ -1,4 +1,6 @@
 // Parameters of rules, and the names that stand for them.
+#include "core/scene.hpp"
+#include "language/expression.hpp"
 #include "language/statements.hpp"
 #include "language/vocabulary.hpp"
 
@@ -17,7 +19,7 @@ struct QuantityWord {
     Quantity quantity;
 };
 
-constexpr std::array<QuantityWord, 11> words{{{"NEIGHBORS", Quantity::neighbours},
+constexpr std::array<QuantityWord, 12> words{{{"NEIGHBORS", Quantity::neighbours},
                                               {"AGE", Quantity::age},
                                               {"BIRTH", Quantity::birth},
                                               {"X", Quantity::x},
@@ -27,6 +29,7 @@ constexpr std::array<QuantityWord, 11> words{{{"NEIGHBORS", Quantity::neighbours
                                               {"ROWS", Quantity::rows},
                                               {"COLUMNS", Quantity::columns},
                                               {"ITERATION", Quantity::iteration},
+                                              {"TIME", Quantity::time},
                                               {"RANDOM", Quantity::random}}};
 
 const QuantityWord* find_word(std::string_view text) {
@@ -35,9 +38,33 @@ const QuantityWord* find_word(std::string_view text) {
     return found == words.end() ? nullptr : found;
 }
 
+// Those that take the name of a chemical, in expressions.
+constexpr std::string_view before = "previous";
+constexpr std::array<QuantityWord, 6> of_chemicals{{{"conc", Quantity::concentration},
+                                                    {before, Quantity::concentration},
+                                                    {"diff", Quantity::rate},
+                                                    {"laplacian", Quantity::laplacian},
+                                                    {"gradient_x", Quantity::gradient_x},
+                                                    {"gradient_y", Quantity::gradient_y}}};
+
+const QuantityWord* find_of_chemical(std::string_view text) {
+    const auto* const found = std::ranges::find(of_chemicals, text, &QuantityWord::text);
+    return found == of_chemicals.end() ? nullptr : found;
+}
+
 bool needs_lattice(Quantity quantity) {
-    return quantity == Quantity::row || quantity == Quantity::column || quantity == Quantity::rows ||
-           quantity == Quantity::columns;
+    switch (quantity) {
+        case Quantity::row:
+        case Quantity::column:
+        case Quantity::rows:
+        case Quantity::columns:
+        case Quantity::laplacian:
+        case Quantity::gradient_x:
+        case Quantity::gradient_y:
+            return true;
+        default:
+            return false;
+    }
 }
 
 [[noreturn]] void unknown_operand(const Script& script, const Cursor& cursor, std::string_view what) {
@@ -48,13 +75,82 @@ bool needs_lattice(Quantity quantity) {
     const std::string named = listed(script.chemical_names());
     const std::string chemicals = fmt::format("conc or diff of a chemical ({})", named);
     allowed.push_back(chemicals);
+    allowed.push_back("an expression in parentheses");
     for (const std::string& name : script.experiment.mappings) allowed.push_back(name);
+    for (const PlaceField& field : script.experiment.fields) allowed.push_back(field.name);
     const std::string must = fmt::format("{} must be one of: {}", what, listed(allowed));
     if (cursor.done()) cursor.fail(token, fmt::format("the line ends too early; {}", must));
     for (const std::string_view name : script.chemical_names()) allowed.push_back(name);
     cursor.fail(token, fmt::format("unknown name {}; {}{}", Cursor::shown(token), must,
                                    token.quoted ? "" : suggestion(token.text, allowed)));
 }
+
+// What rules know.
+class KnownNames final : public Names {
+public:
+    KnownNames(Script& script, const Cursor& cursor, Scope scope) : script_(script), cursor_(cursor), scope_(scope) {}
+
+    std::optional<Operand> find(const Token& at) const override {
+        const auto operand = known(at);
+        if (operand) check_scope(at, operand->quantity);
+        return operand;
+    }
+    bool takes_chemical(std::string_view word) const override { return find_of_chemical(word) != nullptr; }
+    std::optional<Operand> of_chemical(const Token& word, const Token& name) const override {
+        const auto chemical = script_.find_chemical(name.text);
+        if (!chemical) return std::nullopt;
+        const Quantity quantity = find_of_chemical(word.text)->quantity;
+        check_scope(name, quantity);
+        if (needs_lattice(quantity)) script_.needs_lattice(cursor_, word);
+        if (word.text == before) {
+            if (scope_ != Scope::rule) cursor_.fail(word, "'previous' is known in rules alone, not at the start");
+            return Operand{quantity, 0.0, script_.previous_of(*chemical, cursor_, word)};
+        }
+        return Operand{quantity, 0.0, *chemical};
+    }
+    std::vector<std::string_view> all() const override {
+        std::vector<std::string_view> names;
+        if (scope_ != Scope::field) names = script_.chemical_names();
+        if (scope_ == Scope::rule) {
+            for (const std::string& name : script_.experiment.mappings) names.push_back(name);
+        }
+        for (const PlaceField& field : script_.experiment.fields) names.push_back(field.name);
+        for (const Parameter& one : script_.experiment.parameters) names.push_back(one.name);
+        for (const QuantityWord& word : words) {
+            if (visible(word.quantity)) names.push_back(word.text);
+        }
+        return names;
+    }
+
+private:
+    bool visible(Quantity quantity) const {
+        return scope_ == Scope::rule || (scope_ == Scope::field ? seen_by_field(quantity) : seen_at_start(quantity));
+    }
+    void check_scope(const Token& at, Quantity quantity) const {
+        if (visible(quantity)) return;
+        cursor_.fail(at,
+                     scope_ == Scope::field
+                         ? fmt::format("{} changes while the experiment runs; a field is computed once, from the place",
+                                       Cursor::shown(at))
+                         : fmt::format("{} is known in rules alone, not at the start", Cursor::shown(at)));
+    }
+
+    std::optional<Operand> known(const Token& at) const {
+        if (const auto chemical = script_.find_chemical(at.text)) return Operand::concentration(*chemical);
+        if (const QuantityWord* word = find_word(at.text)) {
+            if (needs_lattice(word->quantity)) script_.needs_lattice(cursor_, at);
+            return Operand{word->quantity, 0.0, 0};
+        }
+        if (const auto mapping = script_.find_mapping(at.text)) return Operand{Quantity::mapping, 0.0, *mapping};
+        if (const auto field = script_.find_field(at.text)) return Operand{Quantity::field, 0.0, *field};
+        if (const Parameter* parameter = cursor_.parameter(at)) return Operand::number(parameter->value);
+        return std::nullopt;
+    }
+
+    Script& script_;
+    const Cursor& cursor_;
+    Scope scope_;
+};
 
 bool numeric(std::string_view text) {
     const auto first = static_cast<unsigned char>(text.empty() ? '\0' : text[0]);
@@ -73,6 +169,11 @@ Operand parse_operand(Script& script, Cursor& cursor, std::string_view what) {
     static constexpr std::array<std::string_view, 2> targets{"conc", "diff"};
     const Token& token = cursor.peek();
     if (cursor.done() || token.quoted) unknown_operand(script, cursor, what);
+    if (is_expression(token)) {
+        Expression expression = parse_expression(script, cursor, Scope::rule, what);
+        if (expression.nodes.size() == 1) return expression.nodes[0].operand;
+        return {Quantity::expression, 0.0, keep_expression(script, cursor, token, std::move(expression))};
+    }
     if (const auto chemical = script.find_chemical(token.text)) {
         cursor.next();
         return cursor.choose(targets) == 0 ? Operand::concentration(*chemical) : Operand::rate(*chemical);
@@ -86,11 +187,50 @@ Operand parse_operand(Script& script, Cursor& cursor, std::string_view what) {
         cursor.next();
         return {Quantity::mapping, 0.0, *mapping};
     }
+    if (const auto field = script.find_field(token.text)) {
+        cursor.next();
+        return {Quantity::field, 0.0, *field};
+    }
     if (!numeric(token.text) && cursor.parameter(token) == nullptr) unknown_operand(script, cursor, what);
     return Operand::number(cursor.number(what));
 }
 
-void check_name(const Cursor& cursor, const Token& name, std::string_view what) {
+Expression parse_expression(Script& script, Cursor& cursor, Scope scope, std::string_view what) {
+    const Token& token = cursor.peek();
+    if (cursor.done() || !is_expression(token))
+        cursor.fail(token, fmt::format("{} must be an expression in parentheses", what));
+    Expression expression = read_expression(cursor, token, KnownNames(script, cursor, scope));
+    expression.line = cursor.line();
+    cursor.next();
+    return expression;
+}
+
+std::size_t keep_expression(Script& script, const Cursor& cursor, const Token& at, Expression expression) {
+    auto& all = script.experiment.expressions;
+    if (all.size() == largest_expression_count)
+        cursor.fail(at, fmt::format("one expression too many; at most {} are allowed", largest_expression_count));
+    all.push_back(std::move(expression));
+    return all.size() - 1;
+}
+
+namespace {
+
+// Throws Error where something has the name already.
+void check_new(const Script& script, const Cursor& cursor, const Token& name, std::string_view what) {
+    const auto taken = [&](bool found, std::string_view by) {
+        if (!found) return;
+        cursor.fail(name, by == what ? fmt::format("{} '{}' is defined already", by, name.text)
+                                     : fmt::format("'{}' is a {}; choose another name", name.text, by));
+    };
+    taken(script.find_chemical(name.text).has_value(), "chemical");
+    taken(script.find_mapping(name.text).has_value(), "mapping");
+    taken(script.find_field(name.text).has_value(), "field");
+    taken(cursor.parameter(name) != nullptr, "parameter");
+}
+
+}  // namespace
+
+void check_name(const Script& script, const Cursor& cursor, const Token& name, std::string_view what) {
     const std::string_view text = name.text;
     const auto first = static_cast<unsigned char>(text[0]);
     const bool word = (std::isalpha(first) != 0 || first == '_') && std::all_of(text.begin(), text.end(), [](char c) {
@@ -107,6 +247,7 @@ void check_name(const Cursor& cursor, const Token& name, std::string_view what) 
     if (find_word(text) != nullptr) {
         cursor.fail(name, fmt::format("'{}' cannot name a {}; it is a word of rules", text, what));
     }
+    check_new(script, cursor, name, what);
 }
 
 }  // namespace pelage::language

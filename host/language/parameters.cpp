@@ -14,15 +14,9 @@ namespace {
 constexpr std::array<std::string_view, 4> beside_numbers{"none", "each", "packed", "then"};
 
 void check_new(const Script& script, const Cursor& cursor, const Token& name) {
-    check_name(cursor, name, "parameter");
+    check_name(script, cursor, name, "parameter");
     if (std::ranges::find(beside_numbers, name.text) != beside_numbers.end())
         cursor.fail(name, fmt::format("'{}' cannot name a parameter; it is a word beside numbers", name.text));
-    if (cursor.parameter(name) != nullptr)
-        cursor.fail(name, fmt::format("parameter '{}' is defined already", name.text));
-    if (script.find_chemical(name.text))
-        cursor.fail(name, fmt::format("'{}' is a chemical; choose another name", name.text));
-    if (script.find_mapping(name.text))
-        cursor.fail(name, fmt::format("'{}' is a mapping; choose another name", name.text));
     if (script.experiment.parameters.size() == largest_parameter_count)
         cursor.fail(name, fmt::format("one parameter too many; at most {} are allowed", largest_parameter_count));
 }

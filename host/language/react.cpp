@@ -1,4 +1,5 @@
-// A rule's reaction: react NAME ... [scale PAR] MODEL PARAMETERS, as the table of reactions has them.
+// A rule's reaction: react NAME ... [scale PAR] MODEL PARAMETERS, as the table of reactions has them; or written out,
+// react NAME by PAR [NAME by PAR ...].
 #include "language/statements.hpp"
 
 #include <fmt/format.h>
@@ -21,6 +22,7 @@ std::vector<std::string_view> model_words() {
 [[noreturn]] void unknown_partner(const Script& script, const Cursor& cursor) {
     std::vector<std::string_view> words = model_words();
     words.emplace_back("scale");
+    words.emplace_back("by");
     const Token& token = cursor.peek();
     for (const std::string_view name : script.chemical_names()) words.push_back(name);
     if (cursor.done()) cursor.unknown(token, words);
@@ -75,7 +77,29 @@ void check_species(const Cursor& cursor, const React& react, const std::vector<c
 
 }  // namespace
 
+namespace {
+
+// NAME by EXPRESSION, once or more.
+Action parse_formula(Script& script, Cursor& cursor) {
+    Formula formula;
+    do {
+        const Token& name = cursor.peek();
+        const std::size_t chemical = script.chemical(cursor);
+        const auto same = [&](const Formula::Part& part) { return part.chemical == chemical; };
+        if (std::ranges::any_of(formula.parts, same))
+            cursor.fail(name, fmt::format("'{}' is given twice; its rate must be one expression", name.text));
+        cursor.expect("by");
+        formula.parts.push_back({chemical, parse_operand(script, cursor, "the rate of change")});
+    } while (!cursor.done());
+    return formula;
+}
+
+}  // namespace
+
 Action parse_react(Script& script, Cursor& cursor) {
+    Cursor ahead = cursor;
+    ahead.next();
+    if (!ahead.done() && ahead.take("by")) return parse_formula(script, cursor);
     React react;
     const std::vector<const Token*> names = parse_species(script, cursor, react);
     if (cursor.take("scale")) react.scale = parse_operand(script, cursor, "the scale");

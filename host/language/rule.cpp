@@ -1,4 +1,5 @@
 // rule [from INT] [until INT] [every INT [offset INT]] CONDITION ACTION
+#include "language/expression.hpp"
 #include "language/statements.hpp"
 #include "language/vocabulary.hpp"
 
@@ -49,7 +50,11 @@ constexpr std::array<std::string_view, 3> condition_words{"always", "if", "proba
 Condition parse_comparison(Script& script, Cursor& cursor) {
     static constexpr std::array comparisons{Comparison::equal,      Comparison::not_equal, Comparison::less,
                                             Comparison::less_equal, Comparison::greater,   Comparison::greater_equal};
+    const bool expression = is_expression(cursor.peek());
     const Operand left = parse_operand(script, cursor, "the value compared");
+    const bool compared =
+        !cursor.done() && std::ranges::find(comparison_words, cursor.peek().text) != comparison_words.end();
+    if (expression && !compared) return Compare{left, Comparison::not_equal, Operand::number(0.0)};
     const std::size_t which = cursor.choose(comparison_words);
     if (which < comparisons.size()) {
         return Compare{left, comparisons[which], parse_operand(script, cursor, "the value compared with")};

@@ -37,6 +37,12 @@ std::optional<std::size_t> Script::find_chemical(std::string_view name) const {
 
 std::optional<std::size_t> Script::find_mapping(std::string_view name) const { return find(experiment.mappings, name); }
 
+std::optional<std::size_t> Script::find_field(std::string_view name) const {
+    const auto found = std::ranges::find(experiment.fields, name, &PlaceField::name);
+    if (found == experiment.fields.end()) return std::nullopt;
+    return static_cast<std::size_t>(found - experiment.fields.begin());
+}
+
 std::vector<std::string_view> Script::chemical_names() const {
     std::vector<std::string_view> names;
     for (const Chemical& one : experiment.chemicals) names.push_back(one.name);

@@ -65,8 +65,12 @@ public:
     std::size_t chemical(Cursor&) const;  // throws Error for one that is not defined
     std::optional<std::size_t> find_chemical(std::string_view) const;
     std::optional<std::size_t> find_mapping(std::string_view) const;
+    std::optional<std::size_t> find_field(std::string_view) const;
     std::string chemicals_defined() const;  // "defined here: U, V"
     std::vector<std::string_view> chemical_names() const;
+
+    // The chemical that holds what this one was an iteration ago; made when first asked for. `at`: where it is.
+    std::size_t previous_of(std::size_t chemical, const Cursor&, const Token& at);
 
     std::filesystem::path resolve(std::string_view file_name) const;
     StartPictures pictures() const { return start_pictures_; }
@@ -123,6 +127,14 @@ private:
     void check_settings() const;
     void set_in_text();
 
+    struct Kept {
+        std::size_t chemical = 0;
+        std::size_t keeper = 0;  // of what it was
+        Place place;             // where it is asked for first
+    };
+    void finish_previous();
+    const std::string& keeper_name(const Kept&) const;
+
     std::filesystem::path folder_;
     StartPictures start_pictures_;
     std::size_t cells_ = 0;
@@ -140,6 +152,7 @@ private:
     std::vector<Setting> settings_;
     std::vector<bool> settings_used_;
     std::vector<Replaced> replaced_;
+    std::vector<Kept> kept_;
 };
 
 }  // namespace pelage::language

@@ -29,8 +29,7 @@ Cursor Cursor::inside(const Token& quoted) const {
 void Cursor::split(std::size_t from, std::size_t to, bool commas) {
     std::size_t at = from;
     std::size_t end = from;  // of the last word
-    const auto comment = [&](std::size_t i) { return !commas && text_.substr(i, 2) == "//"; };
-    while (at < to && !comment(at)) {
+    while (at < to && !(starts_comment(at) && !commas)) {
         if (blank(text_[at])) {
             ++at;
         } else if (text_[at] == '"') {
@@ -40,15 +39,33 @@ void Cursor::split(std::size_t from, std::size_t to, bool commas) {
             end = ++at;
         } else {
             const std::size_t first = at;
-            for (; at < to && !blank(text_[at]) && text_[at] != '"' && !comment(at); ++at) {
-                if (commas && text_[at] == ',') break;
-                check_byte(at, true);
-            }
+            at = end = text_[at] == '(' && !commas ? end_of_expression(at, to) : end_of_word(at, to, commas);
             tokens_.push_back({text_.substr(first, at - first), first, false});
-            end = at;
         }
     }
     tokens_.push_back({{}, end, false});
+}
+
+bool Cursor::starts_comment(std::size_t at) const { return text_.substr(at, 2) == "//"; }
+
+std::size_t Cursor::end_of_word(std::size_t at, std::size_t to, bool commas) const {
+    for (; at < to && !blank(text_[at]) && text_[at] != '"'; ++at) {
+        if (commas ? text_[at] == ',' : text_[at] == '(' || starts_comment(at)) break;
+        check_byte(at, true);
+    }
+    return at;
+}
+
+// Behind the parenthesis that closes the one at `at`.
+std::size_t Cursor::end_of_expression(std::size_t at, std::size_t to) const {
+    const Token opening{text_.substr(at, 1), at, false};
+    std::size_t open = 0;
+    for (; at < to && !starts_comment(at); ++at) {
+        if (!blank(text_[at])) check_byte(at, true);
+        if (text_[at] == '(') ++open;
+        if (text_[at] == ')' && --open == 0) return at + 1;
+    }
+    fail(opening, "this parenthesis is not closed; expressions end on the same line");
 }
 
 std::size_t Cursor::split_quoted(std::size_t at, std::size_t to) {

@@ -1,4 +1,5 @@
 // use chemical | polarity | seed, and values with a deviation.
+#include "language/expression.hpp"
 #include "language/statements.hpp"
 
 #include <fmt/format.h>
@@ -14,6 +15,18 @@ double parse_deviation(Cursor& cursor) {
 Spread parse_spread(Cursor& cursor, std::string_view what) {
     const double value = cursor.number(what);
     return {value, parse_deviation(cursor)};
+}
+
+Spread parse_start_value(Script& script, Cursor& cursor, std::string_view what) {
+    const Token& token = cursor.peek();
+    if (cursor.done() || !is_expression(token)) return parse_spread(cursor, what);
+    Expression expression = parse_expression(script, cursor, Scope::start, what);
+    const Operand& first = expression.nodes.front().operand;
+    if (expression.nodes.size() == 1 && first.quantity == Quantity::number)
+        return {first.value, parse_deviation(cursor)};
+    if (!cursor.done() && cursor.peek().text == "dev")
+        cursor.fail(cursor.peek(), "an expression takes no 'dev'; draw within it, with RANDOM");
+    return {0.0, 0.0, keep_expression(script, cursor, token, std::move(expression))};
 }
 
 std::optional<Spread> parse_degrees(Cursor& cursor) {
@@ -53,9 +66,9 @@ void use_chemical(Script& script, Cursor& cursor) {
     while (const auto option = options.next(cursor)) {
         (*option == 0 ? conc : diff) = &cursor.peek();
         if (*option == 0)
-            use.conc = parse_spread(cursor, "the concentration");
+            use.conc = parse_start_value(script, cursor, "the concentration");
         else
-            use.diff = parse_spread(cursor, "the diffusion rate");
+            use.diff = parse_start_value(script, cursor, "the diffusion rate");
     }
     script.start(use, {cursor.place(*conc), cursor.place(*diff)});
 }

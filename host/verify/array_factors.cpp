@@ -49,14 +49,15 @@ std::vector<Factor> cell_worlds() {
 }
 
 std::vector<std::string> quantity_levels(Realm realm, const char* first) {
-    std::vector<std::string> words{first, "number", "conc",  "diff",      "mapping",   "X",
-                                   "Y",   "AGE",    "BIRTH", "ITERATION", "NEIGHBORS", "RANDOM"};
+    std::vector<std::string> words{first, "number", "conc",      "diff",      "mapping", "X",    "Y",
+                                   "AGE", "BIRTH",  "ITERATION", "NEIGHBORS", "RANDOM",  "TIME", "expression"};
     if (realm == Realm::lattice) words.insert(words.end(), {"ROW", "COLUMN", "ROWS", "COLUMNS"});
     return words;
 }
 
 std::vector<Factor> rules_of(Realm realm) {
-    std::vector<std::string> actions{"change conc", "change diff", "set conc", "set diff", "map", "polarize"};
+    std::vector<std::string> actions{"change conc", "change diff", "set conc", "set diff",
+                                     "map",         "polarize",    "react by"};
     if (realm == Realm::cells) actions.insert(actions.end(), {"divide", "move"});
     for (const ModelFacts& model : model_table()) actions.push_back("react " + model.word);
     return {{"action", actions},

@@ -1,4 +1,5 @@
 // See array_text.hpp: rules. Numbers are such that conditions hold in some cells, and that what a rule does is seen.
+#include "core/functions.hpp"
 #include "core/models.hpp"
 #include "verify/array_text.hpp"
 #include "verify/lab.hpp"
@@ -71,6 +72,8 @@ private:
         if (what == "AGE") return 6;
         if (what == "BIRTH") return std::max(0.0, start - 6);
         if (what == "ITERATION") return start + 4;
+        if (what == "TIME") return 0.05 * start + 0.2;
+        if (what == "expression") return 0.75;
         if (what == "NEIGHBORS") return lattice() ? 3 : 5;
         return 0.5;
     }
@@ -82,7 +85,22 @@ private:
         if (what == "diff") return nth_ % 2 == 0 ? "Z diff" : "Q diff";
         if (what == "mapping") return "M";
         if (what == "number") return number(0.375);
+        if (what == "expression") return expression();
         return what;
+    }
+
+    // Between 0.25 and 2: a function of what changes, and of what belongs to the place.
+    std::string expression() const {
+        const FunctionFacts& function = function_table()[(nth_ + case_.made->number) % function_table().size()];
+        const char* const arguments[] = {"Q", "(2 - ramp)", "(G + 1)"};
+        std::string call = function.name + "(";
+        for (std::size_t i = 0; i < function.parameters.size(); ++i)
+            call += fmt::format("{}{}", i == 0 ? "" : ", ", arguments[(nth_ + i) % 3]);
+        const char* const around = !lattice()      ? "0.1 * cos(X + TIME)"
+                                   : nth_ % 3 == 0 ? "laplacian(Q)"
+                                   : nth_ % 3 == 1 ? "(gradient_x(Q) - gradient_y(G))"
+                                                   : "0.1 * sin(X * Y) * ramp";
+        return fmt::format("(min(2, max(0.25, {} + {})))", call + ")", around);  // NaN gives 0.25
     }
 
     // In comparisons concentrations are those of G, which are few numbers.
@@ -94,11 +112,12 @@ private:
             std::string_view what, alike, other;
         };
         constexpr Pair pairs[] = {
-            {"conc", "M", "AGE"},          {"diff", "M", "NEIGHBORS"},  {"mapping", "G conc", "AGE"},
-            {"X", "Y", "ITERATION"},       {"Y", "X", "NEIGHBORS"},     {"AGE", "BIRTH", "Q conc"},
-            {"BIRTH", "AGE", "X"},         {"ROW", "COLUMN", "Q conc"}, {"COLUMN", "ROW", "Y"},
-            {"ROWS", "COLUMNS", "G conc"}, {"COLUMNS", "ROWS", "M"},    {"number", "AGE", "G conc"},
-            {"NEIGHBORS", "AGE", "M"},     {"ITERATION", "BIRTH", "X"}};
+            {"conc", "M", "AGE"},           {"diff", "M", "NEIGHBORS"},  {"mapping", "G conc", "AGE"},
+            {"X", "Y", "ITERATION"},        {"Y", "X", "NEIGHBORS"},     {"AGE", "BIRTH", "Q conc"},
+            {"BIRTH", "AGE", "X"},          {"ROW", "COLUMN", "Q conc"}, {"COLUMN", "ROW", "Y"},
+            {"ROWS", "COLUMNS", "G conc"},  {"COLUMNS", "ROWS", "M"},    {"number", "AGE", "G conc"},
+            {"NEIGHBORS", "AGE", "M"},      {"ITERATION", "BIRTH", "X"}, {"TIME", "X", "ITERATION"},
+            {"expression", "Q conc", "AGE"}};
         for (const Pair& pair : pairs) {
             if (pair.what == what) return alike ? pair.alike : pair.other;
         }
@@ -148,7 +167,13 @@ private:
             return fmt::format("polarize {} conc", one_of(chemicals_.front(), "Q", chemicals_.back()));
         if (what == "divide") return fmt::format("divide direction {}{}", amount(37 * some), deviation(40));
         if (what == "move") return fmt::format("move {}{}", amount(0.03 * some), deviation(0.05));
+        if (what == "react by") return formula();
         return react(model_named(what.substr(what.find(' ') + 1)).facts());
+    }
+
+    std::string formula() const {
+        return fmt::format("react {} by {} {} by ({} - 0.5 * {})", one_of("A", "B", "Z"), amount(0.5),
+                           one_of("Q", "Q", "A"), one_of("A", "B", "Z"), one_of("Q", "Q", "A"));
     }
 
     std::string map() const {

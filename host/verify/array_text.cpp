@@ -54,6 +54,8 @@ private:
 
     void settings() {
         line("define time_step 0.05");
+        line(lattice() ? "define field ramp (0.5 + 0.25 * sin(0.7 * COLUMN) + 0.125 * RANDOM)"
+                       : "define field ramp (0.5 + 0.01 * X)");
         if (lattice()) {
             if (world_["stencil"] != "published") line("define stencil " + world_["stencil"]);
             return;

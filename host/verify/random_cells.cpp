@@ -26,6 +26,12 @@ std::string concentration(Draft& draft, ChemicalDraft& chemical) {
             return "conc " + extreme;
         }
     }
+    if (draft.dice.chance(8)) {
+        const double low = std::max(chemical.floor, chemical.conc - chemical.spread);
+        const double high = std::min(chemical.limit, chemical.conc + chemical.spread);
+        chemical.pinned = true;
+        return "conc " + draw_expression(draft, ExpressionScope::start, low, high);
+    }
     const std::string middle = "conc " + draft.dice.number(chemical.conc);
     return draft.dice.chance(90) ? words({middle, "dev", draft.dice.number(chemical.spread)}) : middle;
 }
@@ -34,6 +40,10 @@ std::string rate(Draft& draft, ChemicalDraft& chemical) {
     Dice& dice = draft.dice;
     const double most = draft.largest_rate();
     double value = most * dice.real(0.02, 0.6);
+    if (dice.chance(6)) {
+        chemical.rate = std::max(chemical.rate, value);
+        return "diff " + draw_expression(draft, ExpressionScope::start, 0.25 * value, value);
+    }
     switch (dice.weighted({15, 5, 2})) {
         case 0:
             value = dice.chance(18) ? 0.0 : value;
@@ -163,6 +173,7 @@ void set_cells(Draft& draft) {
         const bool several = dice.chance(60);
         std::string text = fmt::format("set cell {}", first);
         if (several) text = fmt::format("set cells {} to {}", first, dice.from_to(first, draft.cells - 1));
+        if (dice.chance(20)) text = "set cells where " + draw_expression(draft, ExpressionScope::start, -1.0, 1.0);
         std::vector<std::string> options;
         if (dice.chance(70)) {
             ChemicalDraft& chemical = draft.any_chemical();

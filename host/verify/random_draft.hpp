@@ -44,6 +44,7 @@ struct Draft {
     std::uint64_t span = 0;        // of the stretch whose rules are being written
     std::vector<ChemicalDraft> chemicals;
     std::vector<MappingDraft> mappings;
+    std::vector<std::string> fields;
     std::size_t growth_rules = 0;  // `divide` and `expand` so far
     std::string text;
 
@@ -74,5 +75,10 @@ std::string draw_condition(Draft&);  // random_operands.cpp
 std::string draw_operand(Draft&);    // any value that a rule can read
 // A number between the two, or some other value in its place.
 std::string draw_parameter(Draft&, double low, double high);
+
+// An expression in parentheses, of values between the two; in rules it may read more than in fields and starts.
+enum class ExpressionScope { rule, field, start };
+std::string draw_expression(Draft&, ExpressionScope, double low, double high);  // random_expressions.cpp
+std::string draw_truth(Draft&);                                                 // of rules
 
 }  // namespace pelage::verify

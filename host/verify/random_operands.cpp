@@ -43,10 +43,12 @@ Readable place_value(Draft& draft) {
 
 Readable time_value(Draft& draft) {
     const double end = static_cast<double>(draft.iterations);
-    switch (draft.dice.below(3)) {
+    switch (draft.dice.below(4)) {
         case 0:
-            return {"AGE", 0.0, end, true};
+            return {"TIME", 0.0, end * draft.time_step};
         case 1:
+            return {"AGE", 0.0, end, true};
+        case 2:
             return {"BIRTH", 0.0, end, true};
         default:
             return {"ITERATION", 0.0, end, true};
@@ -55,7 +57,7 @@ Readable time_value(Draft& draft) {
 
 Readable readable(Draft& draft) {
     const unsigned mapping_weight = draft.mappings.empty() ? 0 : 4;
-    switch (draft.dice.weighted({6, mapping_weight, 3, 2, 2, 2})) {
+    switch (draft.dice.weighted({6, mapping_weight, 3, 2, 2, 2, 2})) {
         case 0:
             return chemical_value(draft);
         case 1: {
@@ -68,6 +70,8 @@ Readable readable(Draft& draft) {
             return time_value(draft);
         case 4:
             return {"NEIGHBORS", 0.0, 9.0, true};
+        case 5:
+            return {draw_expression(draft, ExpressionScope::rule, 0.0, 2.0), 0.0, 2.0};
         default:
             return {"RANDOM", 0.0, 1.0};
     }
@@ -98,17 +102,20 @@ std::string within(Draft& draft) {
 std::string draw_operand(Draft& draft) { return readable(draft).text; }
 
 std::string draw_parameter(Draft& draft, double low, double high) {
+    if (draft.dice.chance(8)) return draw_expression(draft, ExpressionScope::rule, low, high);
     return draft.dice.chance(85) ? draft.value(low, high) : draw_operand(draft);
 }
 
 std::string draw_condition(Draft& draft) {
-    switch (draft.dice.weighted({40, 28, 16, 16})) {
+    switch (draft.dice.weighted({40, 28, 16, 16, 8})) {
         case 0:
             return "always";
         case 1:
             return comparison(draft);
         case 2:
             return within(draft);
+        case 4:
+            return "if " + draw_truth(draft);
         default:
             return "probability " + (draft.dice.chance(75) ? draft.dice.number(0.0, 1.0) : draw_operand(draft));
     }

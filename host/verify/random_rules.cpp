@@ -54,8 +54,22 @@ const ModelFacts& any_model(Draft& draft) {
     return *fitting[draft.dice.below(fitting.size())];
 }
 
+// A reaction written out, of one chemical or more.
+std::string formula(Draft& draft) {
+    std::string text = "react";
+    const std::size_t parts = draft.dice.from_to(1, std::min<std::size_t>(3, draft.chemicals.size()));
+    const double size = 0.05 / draft.time_step;  // so that no iteration leaps
+    for (std::size_t i = 0; i < parts; ++i) {
+        text += " " + draft.chemicals[i].name + " by ";
+        text += draft.dice.chance(90) ? draw_expression(draft, ExpressionScope::rule, -size, size)
+                                      : draft.value(-size, size);
+    }
+    return text;
+}
+
 std::string react(Draft& draft) {
     Dice& dice = draft.dice;
+    if (dice.chance(20)) return formula(draft);
     const ModelFacts& model = any_model(draft);
     std::vector<std::string> names;
     for (const ChemicalDraft& chemical : draft.chemicals) names.push_back(chemical.name);

@@ -121,6 +121,23 @@ void define_chemicals(Draft& draft, const RandomPicture* picture) {
     }
 }
 
+void define_fields(Draft& draft, const RandomPicture* picture) {
+    Dice& dice = draft.dice;
+    while (draft.fields.size() < 3 && dice.chance(25)) {
+        const std::string name = fmt::format("field_{}", draft.fields.size());
+        if (picture != nullptr && dice.chance(40)) {
+            std::vector<std::string> more;
+            if (dice.chance(60)) more.push_back(words({"fit", dice.pick({"stretch", "tile", "centre"})}));
+            if (dice.chance(60)) more.push_back(words({"from", dice.number(0.0, 1.0), "to", dice.number(1.0, 2.0)}));
+            if (!picture->channels.empty()) more.push_back("channel " + picture->channels.front());
+            draft.line(words({"define field", name, "\"" + picture->file + "\"", draft.shuffled(more)}));
+        } else {
+            draft.line(words({"define field", name, draw_expression(draft, ExpressionScope::field, 0.0, 2.0)}));
+        }
+        draft.fields.push_back(name);
+    }
+}
+
 // ---- a lattice
 
 void draw_size(Draft& draft) {
@@ -172,6 +189,7 @@ void draw_world(Draft& draft) {
     draw_time_step(draft);
     if (!draft.lattice()) draw_domain(draft);
     define_chemicals(draft, picture);
+    define_fields(draft, picture);
     if (draft.dice.chance(60)) draw_seed(draft);
     draw_uses(draft);
     if (!draft.lattice()) {

@@ -102,6 +102,9 @@ PELAGE_LOOSE(intv, int)
 #define WHOLE_ITERATION ((uintv)(iteration))
 #define W(n) ((uintv)(n))
 
+// The time at an iteration: at the begin of the phase, and the steps since.
+#define GET_TIME (time_start + TO_REAL((uintv)(iteration - time_begin)) * dt)
+
 // The same truth in every lane; b is a scalar.
 #define UNIFORM(b) ((b) ? ALL_TRUE : ALL_FALSE)
 

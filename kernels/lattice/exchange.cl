@@ -105,6 +105,17 @@ static inline real pelage_mean(global const scalar* means, long plane, long at, 
         n##i = SELECT(MEETS, FLOW(n##i, e, neighbour_share, difference), n##i);                        \
     }
 
+// What rules read of the neighbours of chemical i: the laplacian in cells, half of what lies between both sides.
+#define LOOK_LAPLACIAN(i) lap##i = SELECT(MEETS, fma(neighbour_share, THEIRS(a##i) - c##i, lap##i), lap##i);
+
+#define LOOK_GRADIENT(i)                                                                       \
+    if (!diagonal) {                                                                           \
+        const real half_step = (THEIRS(a##i) - c##i) * R((scalar)0.5f);                        \
+        const real signed_step = side + up < 0 ? -half_step : half_step;                       \
+        if (up == 0) slope_x##i = SELECT(MEETS, slope_x##i + signed_step, slope_x##i);         \
+        else slope_y##i = SELECT(MEETS, slope_y##i + signed_step, slope_y##i);                 \
+    }
+
 #define GRADIENT(i)                                                      \
     {                                                                    \
         const real difference = THEIRS(a##i) - c##i;                     \

@@ -25,7 +25,7 @@
 kernel void pelage_lattice_step(global scalar* even_conc, global scalar* odd_conc, global scalar* even_rate,
                                 global scalar* odd_rate, global scalar* even_polarity, global scalar* odd_polarity,
                                 global scalar* mapping, global int* birth, global int* neighbours,
-                                global const scalar* places, global const scalar* parameters, const int columns,
+                                global const scalar* places, global const scalar* fields, global const scalar* parameters, const int columns,
                                 const int rows, const int pitch, const int band, const uint first, const uint steps,
                                 const uint seed_low, const uint seed_high
 #ifdef PELAGE_TOGETHER
@@ -41,6 +41,8 @@ kernel void pelage_lattice_step(global scalar* even_conc, global scalar* odd_con
     birth = PLANE(birth, 0);
     neighbours = PLANE(neighbours, 0);
     const real dt = R(parameters[0]);
+    const real time_start = R(parameters[1]);
+    const uint time_begin = PARAMETER_WORD(2);
     //@ parameters
 #ifdef PELAGE_TOGETHER
     atomic_inc(&flags[ARRIVED]);

@@ -58,7 +58,7 @@ static inline void pelage_close(local scalar* row, int columns) {
 kernel __attribute__((reqd_work_group_size(PELAGE_GROUP, 1, 1))) void pelage_lattice_stream(
     global scalar* even_conc, global scalar* odd_conc, global scalar* even_rate, global scalar* odd_rate,
     global scalar* even_polarity, global scalar* odd_polarity, global scalar* even_mapping, global scalar* odd_mapping,
-    global const int* birth, global const int* neighbours, global const scalar* places,
+    global const int* birth, global const int* neighbours, global const scalar* places, global const scalar* fields,
     global const scalar* parameters, const int columns, const int rows, const int pitch, const int vectors,
     const int strip, const uint first, const int steps, const int passes, const uint seed_low, const uint seed_high,
     const int margin
@@ -74,6 +74,8 @@ kernel __attribute__((reqd_work_group_size(PELAGE_GROUP, 1, 1))) void pelage_lat
     birth = PLANE(birth, 0);
     neighbours = PLANE(neighbours, 0);
     const real dt = R(parameters[0]);
+    const real time_start = R(parameters[1]);
+    const uint time_begin = PARAMETER_WORD(2);
     //@ parameters
     const int inner = vectors * PELAGE_WIDTH - 2 * margin;
     const int x0 = (int)get_group_id(0) * inner - margin;

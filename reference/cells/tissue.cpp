@@ -95,7 +95,7 @@ void Cells<T>::step(std::uint64_t iteration) {
     const std::size_t cells = old_.cells();
     interaction_.dt = in_precision<T>(phase.time_step);
     next_ = old_;
-    apply_rules(experiment(), iteration, Arithmetic::published, old_, next_, requests_);
+    apply_rules(experiment(), iteration, Arithmetic::published, Ground<T>(), old_, next_, requests_);
     interact(interaction_, find_neighbours(), requests_.polarize, old_, next_);
     replace_and_bound(phase);
     confine(cells);

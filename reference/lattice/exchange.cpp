@@ -169,7 +169,43 @@ void follow_gradients(const Medium& medium, const std::vector<std::int32_t>& req
     }
 }
 
+namespace {
+
+// sums[cell] = add(sum, entry, theirs less own) for each neighbour in turn.
+template <class T, class Add>
+std::vector<T> summed(const LatticeAdjacency& adjacency, const std::vector<T>& values, Add add) {
+    std::vector<T> sums(values.size(), T(0));
+    for (std::size_t cell = 0; cell < sums.size(); ++cell) {
+        for (std::size_t entry = adjacency.offsets[cell]; entry < adjacency.offsets[cell + 1]; ++entry) {
+            const std::uint32_t there = adjacency.indices[entry];
+            const T theirs = there == Adjacency::nobody ? T(0) : values[there];
+            sums[cell] = add(sums[cell], entry, theirs - values[cell]);
+        }
+    }
+    return sums;
+}
+
+}  // namespace
+
+template <class T>
+std::vector<T> laplacian_of(const Medium& medium, const std::vector<T>& values) {
+    return summed(medium.adjacency, values, [&](T sum, std::size_t entry, T difference) {
+        return std::fma(static_cast<T>(medium.adjacency.weights[entry]), difference, sum);
+    });
+}
+
+template <class T>
+std::vector<T> gradient_of(const Medium& medium, bool up, const std::vector<T>& values) {
+    return summed(medium.adjacency, values, [&](T sum, std::size_t entry, T difference) {
+        const Direction to = medium.adjacency.directions[entry];
+        if ((up ? to.right : to.up) != 0) return sum;
+        return (up ? to.up : to.right) < 0 ? sum - difference * T(0.5) : sum + difference * T(0.5);
+    });
+}
+
 #define PELAGE_INSTANTIATE(T)                                                                        \
+    template std::vector<T> laplacian_of(const Medium&, const std::vector<T>&);                      \
+    template std::vector<T> gradient_of(const Medium&, bool, const std::vector<T>&);                 \
     template void diffuse_uniform(const Medium&, std::size_t, T, const State<T>&, State<T>&);        \
     template void diffuse_per_cell(const Medium&, std::size_t, bool, T, const State<T>&, State<T>&); \
     template void follow_gradients(const Medium&, const std::vector<std::int32_t>&, const State<T>&, State<T>&);

@@ -15,6 +15,12 @@ struct Medium {  // what diffusion runs through
     LatticeAdjacency adjacency;
 };
 
+// See Ground.
+template <class T>
+std::vector<T> laplacian_of(const Medium&, const std::vector<T>& values);
+template <class T>
+std::vector<T> gradient_of(const Medium&, bool up, const std::vector<T>& values);
+
 // next += what `chemical` exchanges in one iteration, where rates are the same in all cells.
 template <class T>
 void diffuse_uniform(const Medium&, std::size_t chemical, T dt, const State<T>& old, State<T>& next);

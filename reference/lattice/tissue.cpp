@@ -1,6 +1,7 @@
 // One iteration of a lattice after another: rules, diffusion, what rules set, bounds, polarity.
 #include "reference/lattice/tissue.hpp"
 
+#include "core/fields.hpp"
 #include "core/finite.hpp"
 #include "core/growable.hpp"
 #include "core/lattice.hpp"
@@ -18,6 +19,20 @@ namespace pelage {
 namespace {
 
 using namespace reference;
+
+template <class T>
+class LatticeGround final : public Ground<T> {
+public:
+    explicit LatticeGround(const Medium& medium) : medium_(medium) {}
+
+    std::vector<T> laplacian(const std::vector<T>& values) const override { return laplacian_of(medium_, values); }
+    std::vector<T> gradient(const std::vector<T>& values, bool up) const override {
+        return gradient_of(medium_, up, values);
+    }
+
+private:
+    const Medium& medium_;
+};
 
 template <class T>
 class LatticeTissue final : public Growable {
@@ -65,6 +80,11 @@ private:
         medium_.lattice.columns = state_.columns;
         medium_.lattice.rows = state_.rows;
         medium_.adjacency = lattice_adjacency(medium_.lattice);
+        constexpr Precision precision = std::is_same_v<T, float> ? Precision::single_ : Precision::double_;
+        const Extent extent{state_.columns, state_.rows, state_.origin_x, state_.origin_y};
+        ground_.fields.clear();
+        for (const std::vector<double>& values : field_values(experiment(), extent, precision))
+            ground_.fields.emplace_back(values.begin(), values.end());
         counts_.resize(state_.cells());
         for (std::size_t cell = 0; cell < counts_.size(); ++cell) {
             counts_[cell] = static_cast<std::int32_t>(medium_.adjacency.count(cell));
@@ -75,7 +95,7 @@ private:
     void step(std::uint64_t iteration) {
         const Phase& phase = experiment().phase_at(iteration);
         next_ = state_;
-        apply_rules(experiment(), iteration, plan_.arithmetic, state_, next_, requests_);
+        apply_rules(experiment(), iteration, plan_.arithmetic, ground_, state_, next_, requests_);
         for (std::size_t chemical = 0; chemical < next_.conc.size(); ++chemical) {
             diffuse(chemical, in_precision<T>(phase.time_step));
             replace(requests_.set_conc[chemical], next_.conc[chemical]);
@@ -115,6 +135,7 @@ private:
 
     LatticePlan plan_;
     Medium medium_;
+    LatticeGround<T> ground_{medium_};
     std::vector<std::int32_t> counts_;  // neighbours of each cell
     State<T> state_;
     State<T> next_;

@@ -1,6 +1,7 @@
 // See functions.hpp; the list of functions is made by cmake/WriteFunctions.cmake.
 #include "reference/rules/functions.hpp"
 
+#include "core/functions.hpp"
 #include "reference_functions.hpp"
 
 #include <array>
@@ -47,3 +48,15 @@ template void apply_function(std::size_t, const float* const*, std::size_t, floa
 template void apply_function(std::size_t, const double* const*, std::size_t, double*);
 
 }  // namespace pelage::reference
+
+namespace pelage {
+
+template <class T>
+void compute_function(std::size_t index, const T* const* columns, std::size_t count, T* out) {
+    reference::apply_function<T>(index, columns, count, out);
+}
+
+template void compute_function(std::size_t, const float* const*, std::size_t, float*);
+template void compute_function(std::size_t, const double* const*, std::size_t, double*);
+
+}  // namespace pelage

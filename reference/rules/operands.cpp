@@ -20,7 +20,7 @@ std::array<std::uint32_t, 4> words(std::size_t cell, std::uint64_t iteration, st
 }
 
 template <class T, class F>
-Column<T> computed(std::size_t cells, F&& value_of) {
+Column<T> of_each(std::size_t cells, F&& value_of) {
     std::vector<T> values(cells);
     for (std::size_t cell = 0; cell < cells; ++cell) values[cell] = static_cast<T>(value_of(cell));
     return Column<T>(std::move(values));
@@ -42,15 +42,15 @@ Column<N> whole_column(const Sight<T>& sight, Quantity quantity) {
     const std::size_t lattice = old.columns == 0 ? 0 : 1;
     switch (quantity) {
         case Quantity::neighbours:
-            return computed<N>(cells, [&](auto cell) { return old.neighbours[cell]; });
+            return of_each<N>(cells, [&](auto cell) { return old.neighbours[cell]; });
         case Quantity::age:
-            return computed<N>(cells, [&](auto cell) { return sight.iteration - old.birth[cell]; });
+            return of_each<N>(cells, [&](auto cell) { return sight.iteration - old.birth[cell]; });
         case Quantity::birth:
-            return computed<N>(cells, [&](auto cell) { return old.birth[cell]; });
+            return of_each<N>(cells, [&](auto cell) { return old.birth[cell]; });
         case Quantity::row:
-            return computed<N>(cells, [&](auto cell) { return cell / columns * lattice; });
+            return of_each<N>(cells, [&](auto cell) { return cell / columns * lattice; });
         case Quantity::column:
-            return computed<N>(cells, [&](auto cell) { return cell % columns * lattice; });
+            return of_each<N>(cells, [&](auto cell) { return cell % columns * lattice; });
         case Quantity::rows:
             return Column<N>(static_cast<N>(old.rows));
         case Quantity::columns:
@@ -73,7 +73,7 @@ Column<T> Sight<T>::column(const Operand& operand) {
         case Quantity::random: {
             const std::uint32_t nth = randoms++;
             const std::uint32_t purpose = purpose::operand + 16 * (nth / 4);
-            return computed<T>(old.cells(), [&](auto cell) {
+            return of_each<T>(old.cells(), [&](auto cell) {
                 return unit_uniform<T>(words(cell, iteration, rule, purpose, seed)[nth % 4]);
             });
         }
@@ -83,9 +83,49 @@ Column<T> Sight<T>::column(const Operand& operand) {
             return Column<T>(old.diff[operand.index]);
         case Quantity::mapping:
             return Column<T>(mappings[operand.index]);
+        case Quantity::time:
+            return Column<T>(time());
+        case Quantity::laplacian:
+            return Column<T>(ground.laplacian(old.conc[operand.index]));
+        case Quantity::gradient_x:
+        case Quantity::gradient_y:
+            return Column<T>(ground.gradient(old.conc[operand.index], operand.quantity == Quantity::gradient_y));
+        case Quantity::field:
+            if (!ground.fields.empty()) return Column<T>(ground.fields[operand.index]);
+            return computed(std::get<ComputedField>(experiment.fields[operand.index].source).expression);
+        case Quantity::expression:
+            return computed(experiment.expressions[operand.index]);
         default:
             return Column<T>(T(0));
     }
+}
+
+// Experiment::time_at() in the precision of the run: what has passed before the phase, and the steps since.
+template <class T>
+T Sight<T>::time() const {
+    const Phase& phase = experiment.phase_at(iteration);
+    return in_precision<T>(experiment.time_at(phase.begin)) +
+           static_cast<T>(iteration - phase.begin) * in_precision<T>(phase.time_step);
+}
+
+template <class T>
+Column<T> Sight<T>::computed(const Expression& expression) {
+    const std::vector<ExpressionNode>& nodes = expression.nodes;
+    std::vector<Column<T>> columns;
+    std::vector<Column<double>> exact;
+    columns.reserve(nodes.size());
+    exact.reserve(nodes.size());
+    Leaves<T> leaves{std::vector<Leaf<T>>(nodes.size()), std::vector<Leaf<double>>(nodes.size())};
+    for (std::size_t n = 0; n < nodes.size(); ++n) {
+        const Operand& operand = nodes[n].operand;
+        if (nodes[n].operation != Operation::operand) continue;
+        leaves.values[n] = columns.emplace_back(column(operand)).leaf();
+        if (is_whole(operand.quantity) || operand.quantity == Quantity::number)
+            leaves.exact[n] = exact.emplace_back(exact_column(operand)).leaf();
+    }
+    std::vector<T> values(old.cells());
+    evaluate(expression, leaves, values.size(), values.data());
+    return Column<T>(std::move(values));
 }
 
 template <class T>

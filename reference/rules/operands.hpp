@@ -1,7 +1,9 @@
 // The parameters of rules, seen as one number a cell.
 #pragma once
 
+#include "core/evaluate.hpp"
 #include "core/experiment.hpp"
+#include "reference/rules/ground.hpp"
 #include "reference/rules/state.hpp"
 
 #include <cstddef>
@@ -22,6 +24,7 @@ public:
 
     T operator[](std::size_t cell) const { return data_ == nullptr ? everywhere_ : data_[cell]; }
     bool constant() const { return data_ == nullptr; }
+    Leaf<T> leaf() const { return {data_, everywhere_}; }
 
 private:
     std::vector<T> computed_;
@@ -32,8 +35,10 @@ private:
 // What a rule sees while it acts: the state before the iteration, and mappings as rules before it have left them.
 template <class T>
 struct Sight {
+    const Experiment& experiment;
     const State<T>& old;
     const std::vector<std::vector<T>>& mappings;
+    const Ground<T>& ground;
     std::uint64_t iteration;
     std::int64_t seed;
     std::size_t rule;           // place in Experiment::rules
@@ -44,6 +49,10 @@ struct Sight {
 
     // A whole quantity or a written number, for comparisons: in double, which rounds neither.
     Column<double> exact_column(const Operand&) const;
+
+private:
+    Column<T> computed(const Expression&);
+    T time() const;
 };
 
 // The first word of the draw that belongs to (cell, iteration, rule, purpose), as a number in [0, 1).

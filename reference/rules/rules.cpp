@@ -7,6 +7,7 @@
 #include "reference/rules/reactions.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <variant>
 
 namespace pelage::reference {
@@ -89,6 +90,18 @@ struct Act {  // carries out an action where truth holds
     std::vector<Remembered<T>>& set_rate;
 
     void operator()(const React& react) { react_cells(react, arithmetic, dt, sight, next, requests.truth); }
+
+    void operator()(const Formula& formula) {
+        for (const Formula::Part& part : formula.parts) {
+            const Column<T> rate = sight.column(part.rate);
+            std::vector<T>& values = next.conc[part.chemical];
+            if (arithmetic == Arithmetic::published) {
+                each([&](std::size_t cell) { values[cell] = values[cell] + rate[cell] * dt; });
+            } else {
+                each([&](std::size_t cell) { values[cell] = std::fma(dt, rate[cell], values[cell]); });
+            }
+        }
+    }
 
     void operator()(const Change& change) {
         const Column<T> amount = sight.column(change.amount);
@@ -184,8 +197,8 @@ void Remembered<T>::prepare(std::size_t cells) {
 }
 
 template <class T>
-void apply_rules(const Experiment& experiment, std::uint64_t iteration, Arithmetic arithmetic, const State<T>& old,
-                 State<T>& next, Requests<T>& requests) {
+void apply_rules(const Experiment& experiment, std::uint64_t iteration, Arithmetic arithmetic, const Ground<T>& ground,
+                 const State<T>& old, State<T>& next, Requests<T>& requests) {
     const T dt = in_precision<T>(experiment.phase_at(iteration).time_step);
     const std::int64_t seed = experiment.run_seed();
     std::vector<Remembered<T>> set_rate(next.diff.size());
@@ -204,7 +217,7 @@ void apply_rules(const Experiment& experiment, std::uint64_t iteration, Arithmet
         }
         if (!handed) requests.truth.assign(old.cells(), 1);
         handed = conjunction;
-        Sight<T> sight{old, next.mappings, iteration, seed, place};
+        Sight<T> sight{experiment, old, next.mappings, ground, iteration, seed, place};
         std::visit(Judge<T>{sight, requests.truth}, rule.condition);
         std::visit(Act<T>{sight, arithmetic, dt, next, requests, set_rate}, rule.action);
     }
@@ -213,9 +226,9 @@ void apply_rules(const Experiment& experiment, std::uint64_t iteration, Arithmet
 
 template struct Remembered<float>;
 template struct Remembered<double>;
-template void apply_rules(const Experiment&, std::uint64_t, Arithmetic, const State<float>&, State<float>&,
-                          Requests<float>&);
-template void apply_rules(const Experiment&, std::uint64_t, Arithmetic, const State<double>&, State<double>&,
-                          Requests<double>&);
+template void apply_rules(const Experiment&, std::uint64_t, Arithmetic, const Ground<float>&, const State<float>&,
+                          State<float>&, Requests<float>&);
+template void apply_rules(const Experiment&, std::uint64_t, Arithmetic, const Ground<double>&, const State<double>&,
+                          State<double>&, Requests<double>&);
 
 }  // namespace pelage::reference

@@ -3,6 +3,7 @@
 
 #include "core/experiment.hpp"
 #include "core/lattice.hpp"
+#include "reference/rules/ground.hpp"
 #include "reference/rules/state.hpp"
 
 #include <cstddef>
@@ -40,7 +41,7 @@ struct Requests {
 // copy of it and receives reactions, changes of concentration and rate, rates that are set, mappings, and in x and y
 // the steps of `move` (along the old polarity). dt is that of the iteration's phase.
 template <class T>
-void apply_rules(const Experiment&, std::uint64_t iteration, Arithmetic, const State<T>& old, State<T>& next,
-                 Requests<T>&);
+void apply_rules(const Experiment&, std::uint64_t iteration, Arithmetic, const Ground<T>&, const State<T>& old,
+                 State<T>& next, Requests<T>&);
 
 }  // namespace pelage::reference

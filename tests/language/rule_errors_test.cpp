@@ -43,13 +43,16 @@ TEST_CASE("malformed rules say where and what is allowed") {
         {grid, "rule if U > 1 and", "t.pex:4:11: unknown word '>'; allowed here: conc, diff"},
         {grid, "rule if W conc > 1 and",
          "t.pex:4:9: unknown name 'W'; the value compared must be one of: a number, NEIGHBORS, AGE, BIRTH, X, Y, ROW, "
-         "COLUMN, ROWS, COLUMNS, ITERATION, RANDOM, conc or diff of a chemical (U, V)"},
+         "COLUMN, ROWS, COLUMNS, ITERATION, TIME, RANDOM, conc or diff of a chemical (U, V), an expression in "
+         "parentheses"},
         {grid, "rule if U conc > and",
          "t.pex:4:18: unknown name 'and'; the value compared with must be one of: a number, NEIGHBORS, AGE, BIRTH, X, "
-         "Y, ROW, COLUMN, ROWS, COLUMNS, ITERATION, RANDOM, conc or diff of a chemical (U, V)"},
+         "Y, ROW, COLUMN, ROWS, COLUMNS, ITERATION, TIME, RANDOM, conc or diff of a chemical (U, V), an expression in "
+         "parentheses"},
         {grid, "rule if U conc in 1 and",
          "t.pex:4:21: unknown name 'and'; the interval's high end must be one of: a number, NEIGHBORS, AGE, BIRTH, X, "
-         "Y, ROW, COLUMN, ROWS, COLUMNS, ITERATION, RANDOM, conc or diff of a chemical (U, V)"},
+         "Y, ROW, COLUMN, ROWS, COLUMNS, ITERATION, TIME, RANDOM, conc or diff of a chemical (U, V), an expression in "
+         "parentheses"},
         {grid, "rule probability 1.5 and",
          "t.pex:4:18: '1.5' is out of range; the probability must be a number from 0 to 1"},
         {grid, "rule probability -1 and",
@@ -76,7 +79,8 @@ TEST_CASE("malformed rules say where and what is allowed") {
         {grid, "rule always change U conc ++1", "t.pex:4:27: '++1' is not a number; the amount must be a number"},
         {grid, "rule always set U conc",
          "t.pex:4:23: the line ends too early; the value must be one of: a number, NEIGHBORS, AGE, BIRTH, X, Y, ROW, "
-         "COLUMN, ROWS, COLUMNS, ITERATION, RANDOM, conc or diff of a chemical (U, V)"},
+         "COLUMN, ROWS, COLUMNS, ITERATION, TIME, RANDOM, conc or diff of a chemical (U, V), an expression in "
+         "parentheses"},
         {grid, "rule always map U conc 1 1 to BETA 0 1",
          "t.pex:4:26: the interval is empty; 'map' needs two different ends"},
         {grid, "rule if U conc > 1 map U conc 0 1 to BETA 0 1",
@@ -86,12 +90,14 @@ TEST_CASE("malformed rules say where and what is allowed") {
          "t.pex:4:31: 'AGE' cannot name a mapping; it is a word of rules"},
         {grid, "rule always change U conc BETA",
          "t.pex:4:27: unknown name 'BETA'; the amount must be one of: a number, NEIGHBORS, AGE, BIRTH, X, Y, ROW, "
-         "COLUMN, ROWS, COLUMNS, ITERATION, RANDOM, conc or diff of a chemical (U, V)"},
+         "COLUMN, ROWS, COLUMNS, ITERATION, TIME, RANDOM, conc or diff of a chemical (U, V), an expression in "
+         "parentheses"},
         {grid, "rule always polarize U diff", "t.pex:4:24: unknown word 'diff'; allowed here: conc"},
         {grid, "rule always divide angle 90", "t.pex:4:20: unknown word 'angle'; allowed here: direction"},
         {grid, "rule always move",
          "t.pex:4:17: the line ends too early; the distance must be one of: a number, NEIGHBORS, AGE, BIRTH, X, Y, "
-         "ROW, COLUMN, ROWS, COLUMNS, ITERATION, RANDOM, conc or diff of a chemical (U, V)"},
+         "ROW, COLUMN, ROWS, COLUMNS, ITERATION, TIME, RANDOM, conc or diff of a chemical (U, V), an expression in "
+         "parentheses"},
         {grid, "rule always expand columns 1",
          "t.pex:4:13: 'expand' needs a matrix; write 'create matrix COLUMNS ROWS'"},
         {matrix, "rule always divide", "t.pex:4:13: 'divide' needs free cells; the elements of a matrix stay in place"},

@@ -17,7 +17,15 @@ namespace pelage {
 namespace {
 
 // Places in the buffer of parameters; after them floor and limit of each chemical, then the numbers of rules.
-enum Place : std::size_t { seed_low_place, seed_high_place, dt_place, division_limit_place, bounds_place };
+enum Place : std::size_t {
+    seed_low_place,
+    seed_high_place,
+    dt_place,
+    time_start_place,
+    time_begin_place,
+    division_limit_place,
+    bounds_place
+};
 
 std::size_t rules_place(const Experiment& experiment) { return bounds_place + 2 * experiment.chemicals.size(); }
 
@@ -38,6 +46,10 @@ public:
         line("const uint seed_low = PARAMETER_WORD({});", std::size_t{seed_low_place});
         line("const uint seed_high = PARAMETER_WORD({});", std::size_t{seed_high_place});
         line("const real dt = {};", parameter(dt_place));
+        if (rules_.use.quantities.contains(Quantity::time)) {
+            line("const real time_start = {};", parameter(time_start_place));
+            line("const uint time_begin = PARAMETER_WORD({});", std::size_t{time_begin_place});
+        }
         text_ += rules_.numbers.declarations(rules_place(experiment_));
         if (rules_.use.random) line("const uintv id = AS_UINTV(LOAD(id_old + first));");
         if (experiment_.division_limit == 0) {
@@ -225,6 +237,8 @@ std::vector<KernelNumber> cells_parameters(const Experiment& experiment, const P
     values[seed_low_place] = static_cast<std::uint32_t>(seed);
     values[seed_high_place] = static_cast<std::uint32_t>(seed >> 32);
     values[dt_place] = phase.time_step;
+    values[time_start_place] = experiment.time_at(phase.begin);
+    values[time_begin_place] = static_cast<std::uint32_t>(phase.begin);
     values[division_limit_place] =
         static_cast<std::uint32_t>(std::min<std::size_t>(experiment.division_limit, largest_cell_count));
     for (const Bounds& bounds : phase.bounds) values.insert(values.end(), {bounds.floor, bounds.limit});
@@ -244,7 +258,7 @@ CellsSource cells_step_source(const Experiment& experiment, const std::vector<bo
     if (plan.mirrors) source.text("#define PELAGE_MIRRORS\n");
     if (rules.use.divides) source.text("#define PELAGE_DIVIDES\n");
     source.file("common/prelude.cl").file("rules/philox.cl");
-    for (const std::string& file : model_files(rules.use)) source.file(file);
+    for (const std::string& file : rule_files(rules.use)) source.file(file);
     source.file("cells/state.cl");
     source.file("cells/step.cl", {{"LOAD", emitter.load()},
                                   {"RULES", rules.rules},

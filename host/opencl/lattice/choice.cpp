@@ -114,9 +114,9 @@ RuleNeeds rule_needs(const Experiment& experiment, const LatticePlan& plan, cons
 
 double bytes_a_cell(const Experiment& experiment, const LatticePlan& plan, const RuleUse& every, Precision precision) {
     const LatticeTraits traits(experiment, plan, every);
-    double fields = 0;
-    for (std::size_t i = 0; i < plan.rates.size(); ++i) fields += traits.idle(i) ? 0 : 1;
-    return 2 * fields * (precision == Precision::double_ ? 8 : 4);
+    double changing = 0;
+    for (std::size_t i = 0; i < plan.rates.size(); ++i) changing += traits.idle(i) ? 0 : 1;
+    return (2 * changing + static_cast<double>(every.fields.size())) * (precision == Precision::double_ ? 8 : 4);
 }
 
 std::optional<double> work_ahead(const Experiment& experiment, const std::vector<bool>& active, std::uint64_t iteration,

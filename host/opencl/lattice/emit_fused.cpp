@@ -34,7 +34,7 @@ public:
                 {"resume", resume()},
                 {"row", row()},
                 {"cell", cell()},
-                {"rules", text.rules},
+                {"rules", traits_.look() + text.rules},
                 {"diffusion", diffusion()},
                 {"neighbours", traits_.visits() ? neighbours_text(traits_.visit()) : ""},
                 {"replace", text.replace},
@@ -106,6 +106,8 @@ private:
             text += fmt::format("global scalar* const to{0} = PLANE(pass % 2 == 0 ? odd_{1} : even_{1}, {2});\n", f,
                                 field.buffer, field.plane);
         }
+        for (const std::size_t i : use_.fields)
+            text += fmt::format("global const scalar* const field{0} = PLANE(fields, {0});\n", i);
         const char* const both =
             "global const scalar* const idle{0} = PLANE(even_conc, {0});\n"
             "global scalar* const rest{0} = PLANE(pass % 2 == 0 ? odd_conc : even_conc, {0});\n";
@@ -169,6 +171,7 @@ private:
             wanted = wanted || reads(of_place);
         }
         for (const std::size_t i : use_.concentrations_read) wanted = wanted || traits_.idle(i);
+        wanted = wanted || !use_.fields.empty();
         if (wanted) text += "const int row = pelage_stands_for(at_row, rows, 0);\n";
         if (use_.random) text += "const uintv id = (uintv)((uint)row * (uint)columns) + column;\n";
         return text;
@@ -197,6 +200,8 @@ private:
             if (traits_.per_cell(i) && traits_.writes_rates()) text += fmt::format("real q{0} = r{0};\n", i);
             if (traits_.idle(i) && use_.concentrations_read.contains(i)) text += idle_value(i);
         }
+        for (const std::size_t i : use_.fields)
+            text += fmt::format("const real z{0} = pelage_fetch(field{0} + (long)row * pitch, x, columns);\n", i);
         for (const std::size_t i : use_.polarizes) text += fmt::format("real gx{0} = R(0);\nreal gy{0} = R(0);\n", i);
         return text;
     }
@@ -250,7 +255,7 @@ Source library(const LatticePlan& plan, const RuleUse& use, const FusedEmitter& 
     source.text(lattice_settings(plan, width) + emitter.settings()).text(shape);
     source.file("common/prelude.cl").file("rules/philox.cl").file("lattice/rows.cl").file("lattice/stencil.cl");
     source.file("lattice/mirrors.cl").file("common/exchange.cl").file("lattice/exchange.cl").file("lattice/margins.cl");
-    for (const std::string& model : model_files(use)) source.file(model);
+    for (const std::string& file : rule_files(use)) source.file(file);
     return source;
 }
 

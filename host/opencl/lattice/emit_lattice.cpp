@@ -61,7 +61,7 @@ public:
                 {"planes", planes()},
                 {"start", start()},
                 {"cell", cell()},
-                {"rules", text.rules},
+                {"rules", traits_.look() + text.rules},
                 {"neighbours", traits_.visits() ? neighbours_text(traits_.visit(means_)) : ""},
                 {"replace", text.replace},
                 {"finish", finish()},
@@ -111,6 +111,8 @@ private:
         for (std::size_t i = 0; i < experiment_.mappings.size(); ++i) {
             if (traits_.maps(i)) text += fmt::format("global scalar* const map{0} = PLANE(mapping, {0});\n", i);
         }
+        for (const std::size_t i : use_.fields)
+            text += fmt::format("global const scalar* const field{0} = PLANE(fields, {0});\n", i);
         if (traits_.polarity()) {
             text +=
                 "global scalar* const old_px = PLANE(old_polarity, 0);\n"
@@ -144,6 +146,7 @@ private:
         for (std::size_t i = 0; i < experiment_.mappings.size(); ++i) {
             if (traits_.maps(i)) text += fmt::format("real m{0} = LOAD(map{0} + at);\n", i);
         }
+        for (const std::size_t i : use_.fields) text += fmt::format("const real z{0} = LOAD(field{0} + at);\n", i);
         if (traits_.polarity()) text += "const real px = LOAD(old_px + at);\nconst real py = LOAD(old_py + at);\n";
         for (const std::size_t i : use_.polarizes) text += fmt::format("real gx{0} = R(0);\nreal gy{0} = R(0);\n", i);
         return text;
@@ -243,7 +246,7 @@ std::string lattice_source(const Experiment& experiment, const LatticePlan& plan
         .file("lattice/stencil.cl");
     source.file("common/exchange.cl").file("lattice/exchange.cl");
     if (together) source.text("#define PELAGE_TOGETHER").file("lattice/together.cl");
-    for (const std::string& model : model_files(rules.use)) source.file(model);
+    for (const std::string& file : rule_files(rules.use)) source.file(file);
     return source.file("lattice/step.cl", emitter.fills(rules)).str();
 }
 

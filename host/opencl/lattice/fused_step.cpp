@@ -34,7 +34,7 @@ void FusedStep::set_arguments(LatticeState& state, const cl::Buffer& parameters,
     state.rates().add_to(arguments, writes_rates_);
     state.polarity().add_to(arguments, writes_polarity_);
     state.mappings().add_to(arguments, writes_mappings_);
-    arguments.add(state.birth().now(), state.neighbours().now(), state.places(), parameters);
+    arguments.add(state.birth().now(), state.neighbours().now(), state.places(), state.fields().now(), parameters);
     const Grid& grid = state.grid();
     arguments.add(grid.columns, grid.rows, grid.pitch(), launch.vectors, launch.strip);
     arguments.add(static_cast<cl_uint>(first), launch.steps, launch.passes, static_cast<cl_uint>(seed_ & 0xffffffffu),

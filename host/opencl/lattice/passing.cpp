@@ -13,7 +13,7 @@ std::vector<Passing> passing_fields(const Experiment& experiment, const LatticeP
     const std::vector<std::size_t> planes = rate_planes(plan);
     std::vector<Passing> seen, others;
     for (std::size_t i = 0; i < plan.rates.size(); ++i) {
-        const bool watched = traits.visited(i) || traits.followed(i);
+        const bool watched = traits.watched(i);
         Passing field{"conc", i, watched ? fmt::format("a{}", i) : "", fmt::format("n{}", i), true};
         if (!traits.idle(i)) (watched ? seen : others).push_back(field);
         if (!traits.per_cell(i)) continue;

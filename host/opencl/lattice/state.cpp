@@ -1,6 +1,7 @@
 // See state.hpp.
 #include "opencl/lattice/state.hpp"
 
+#include "core/fields.hpp"
 #include "core/subnormal.hpp"
 #include "opencl/lattice/emit_lattice.hpp"
 
@@ -12,16 +13,6 @@ namespace {
 
 bool reads_birth(const RuleUse& use) {
     return use.quantities.contains(Quantity::age) || use.quantities.contains(Quantity::birth);
-}
-
-// Cells lie 2 apart around the centre.
-std::vector<double> centres(double origin, std::size_t count) {
-    std::vector<double> values(count);
-    for (std::size_t i = 0; i < count; ++i) {
-        const double offset = (static_cast<double>(i) - static_cast<double>(count) / 2.0) * 2 + 1;
-        values[i] = origin + offset;
-    }
-    return values;
 }
 
 std::vector<double> rounded(const std::vector<double>& values, bool is_double) {
@@ -38,6 +29,7 @@ std::size_t within(std::size_t at, std::size_t count) { return (at > 0 ? 1u : 0u
 LatticeState::LatticeState(const Session& session, const Experiment& experiment, const LatticePlan& plan,
                            const RuleUse& use, const Snapshot& initial)
     : session_(session),
+      experiment_(experiment),
       plan_(plan),
       rate_planes_(rate_planes(plan)),
       grid_{initial.columns, initial.rows},
@@ -47,6 +39,7 @@ LatticeState::LatticeState(const Session& session, const Experiment& experiment,
       mappings_(session, "mappings", experiment.mappings.size(), false),
       birth_(session, "birth", reads_birth(use) ? 1 : 0, true),
       neighbours_(session, "neighbour counts", use.quantities.contains(Quantity::neighbours) ? 1 : 0, true),
+      fields_(session, "fields", experiment.fields.size(), false),
       expander_(session),
       resampler_(session),
       origin_x_(initial.origin_x),
@@ -76,6 +69,12 @@ LatticeState::LatticeState(const Session& session, const Experiment& experiment,
     x_ = rounded(x_, session.is_double());
     y_ = rounded(y_, session.is_double());
     upload_places();
+    upload_fields();
+}
+
+void LatticeState::upload_fields() {
+    const Precision precision = session_.is_double() ? Precision::double_ : Precision::single_;
+    fields_.upload(grid_, field_values(experiment_, {grid_.columns, grid_.rows, origin_x_, origin_y_}, precision));
 }
 
 void LatticeState::upload_places() {
@@ -132,6 +131,7 @@ void LatticeState::lay_out(const Grid& grid) {
     x_ = rounded(centres(origin_x_, grid_.columns), session_.is_double());
     y_ = rounded(centres(origin_y_, grid_.rows), session_.is_double());
     upload_places();
+    upload_fields();
 }
 
 void LatticeState::expand(const Insertion& insertion, std::uint64_t iteration) {

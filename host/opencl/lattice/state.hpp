@@ -28,6 +28,7 @@ public:
     Planes& mappings() { return mappings_; }
     Planes& birth() { return birth_; }                    // empty unless rules read it
     Planes& neighbours() { return neighbours_; }          // empty unless rules read it
+    Planes& fields() { return fields_; }                  // Experiment::fields
     const cl::Buffer& places() const { return places_; }  // x of columns, padded to a pitch, then y of rows
 
     double uniform_rate(std::size_t chemical) const { return uniform_rates_[chemical]; }
@@ -48,9 +49,11 @@ private:
     void forget_counts();  // before a change of size
     void lay_out(const Grid&);
     void upload_places();
+    void upload_fields();
     std::vector<std::int32_t> count_neighbours() const;
 
     const Session& session_;
+    const Experiment& experiment_;
     LatticePlan plan_;
     std::vector<std::size_t> rate_planes_;
     Grid grid_;
@@ -60,6 +63,7 @@ private:
     Planes mappings_;
     Planes birth_;
     Planes neighbours_;
+    Planes fields_;
     PlaneExpander expander_;
     PlaneResampler resampler_;
     cl::Buffer places_;

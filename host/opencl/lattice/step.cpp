@@ -84,7 +84,8 @@ void LatticeStep::set_arguments(LatticeState& state, const cl::Buffer& parameter
     state.conc().add_to(arguments, true);
     state.rates().add_to(arguments, writes_rates_);
     state.polarity().add_to(arguments, writes_polarity_);
-    arguments.add(state.mappings().now(), state.birth().now(), state.neighbours().now(), state.places(), parameters);
+    arguments.add(state.mappings().now(), state.birth().now(), state.neighbours().now(), state.places(),
+                  state.fields().now(), parameters);
     const Grid& grid = state.grid();
     arguments.add(grid.columns, grid.rows, grid.pitch(), shape.band);
     arguments.add(static_cast<cl_uint>(first), static_cast<cl_uint>(steps), static_cast<cl_uint>(seed_ & 0xffffffffu),

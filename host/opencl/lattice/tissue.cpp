@@ -33,6 +33,8 @@ std::vector<KernelNumber> phase_parameters(const Experiment& experiment, const L
                                            const LatticeState& state, const Phase& phase) {
     const T dt = in_precision<T>(phase.time_step);
     std::vector<KernelNumber> values(parameter_place(experiment.chemicals.size(), LatticeParameter::floor), double{dt});
+    values[time_start_place] = experiment.time_at(phase.begin);
+    values[time_begin_place] = static_cast<std::uint32_t>(phase.begin);
     for (std::size_t i = 0; i < experiment.chemicals.size(); ++i) {
         const auto put = [&](LatticeParameter what, T value) { values[parameter_place(i, what)] = double{value}; };
         const T rate = in_precision<T>(state.uniform_rate(i));

@@ -1,6 +1,8 @@
 // See traits.hpp.
 #include "opencl/lattice/traits.hpp"
 
+#include "opencl/lattice/emit_lattice.hpp"
+
 #include <fmt/format.h>
 
 namespace pelage {
@@ -32,7 +34,8 @@ bool LatticeTraits::rolled(std::size_t i) const {
 }
 
 bool LatticeTraits::idle(std::size_t i) const {
-    return plan_.rates[i] == RateKind::none && !use_.concentrations_written.contains(i) && !followed(i);
+    return plan_.rates[i] == RateKind::none && !use_.concentrations_written.contains(i) && !followed(i) &&
+           !looked_around(i);
 }
 
 bool LatticeTraits::maps(std::size_t mapping) const {
@@ -50,7 +53,20 @@ bool LatticeTraits::visits() const {
     for (std::size_t i = 0; i < plan_.rates.size(); ++i) {
         if (visited(i)) return true;
     }
-    return turns();
+    return turns() || !use_.laplacians.empty() || !use_.gradients.empty();
+}
+
+std::string LatticeTraits::look() const {
+    std::string before, each;
+    for (const std::size_t i : use_.laplacians) {
+        before += fmt::format("real lap{} = R(0);\n", i);
+        each += fmt::format("LOOK_LAPLACIAN({})\n", i);
+    }
+    for (const std::size_t i : use_.gradients) {
+        before += fmt::format("real slope_x{0} = R(0);\nreal slope_y{0} = R(0);\n", i);
+        each += fmt::format("LOOK_GRADIENT({})\n", i);
+    }
+    return each.empty() ? "" : before + neighbours_text(each);
 }
 
 std::string LatticeTraits::visit(bool means) const {

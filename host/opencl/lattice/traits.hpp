@@ -23,6 +23,10 @@ public:
         return plan_.rates[i] != RateKind::none && !rolled(i);
     }                                                                          // neighbour by neighbour
     bool followed(std::size_t i) const { return use_.polarizes.contains(i); }  // by the polarity
+    // Rules read how it changes from cell to cell.
+    bool looked_around(std::size_t i) const { return use_.laplacians.contains(i) || use_.gradients.contains(i); }
+    // Its neighbours are read one by one, for whatever reason.
+    bool watched(std::size_t i) const { return visited(i) || followed(i) || looked_around(i); }
     // Only its bounds ever act on it: it is written in the last step of a launch alone.
     bool idle(std::size_t i) const;
     bool maps(std::size_t mapping) const;  // it is read or written
@@ -31,6 +35,8 @@ public:
     bool polarity() const;  // read, or written
     bool visits() const;    // some neighbours are looked at one by one
 
+    // Before the rules: declares what they read of neighbours, and sums it up; empty where they read nothing.
+    std::string look() const;
     // What is done for each neighbour. `means`: rates between neighbours are known (kernels/lattice/means.cl).
     std::string visit(bool means = false) const;
     // Declares turned_x and turned_y: the polarity becomes the unit gradient where that is steep enough.

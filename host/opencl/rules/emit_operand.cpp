@@ -1,8 +1,10 @@
 // See emit_operand.hpp.
 #include "opencl/rules/emit_operand.hpp"
 
+#include "core/functions.hpp"
 #include "core/philox.hpp"
 #include "core/subnormal.hpp"
+#include "opencl/rules/emit_whole.hpp"
 
 #include <fmt/format.h>
 
@@ -66,10 +68,109 @@ std::string OperandEmitter::text(const Operand& operand) {
         case Quantity::mapping:
             use_.mappings_read.insert(operand.index);
             return fmt::format("m{}", operand.index);
+        case Quantity::time:
+            use_.quantities.insert(operand.quantity);
+            return "GET_TIME";
+        case Quantity::laplacian:
+            use_.laplacians.insert(operand.index);
+            return fmt::format("lap{}", operand.index);
+        case Quantity::gradient_x:
+            use_.gradients.insert(operand.index);
+            return fmt::format("slope_x{}", operand.index);
+        case Quantity::gradient_y:
+            use_.gradients.insert(operand.index);
+            return fmt::format("slope_y{}", operand.index);
+        case Quantity::field:
+            if (!lattice_)
+                return expression(std::get<ComputedField>(experiment_.fields[operand.index].source).expression);
+            use_.fields.insert(operand.index);
+            return fmt::format("z{}", operand.index);
+        case Quantity::expression:
+            return expression(experiment_.expressions[operand.index]);
         default:
             break;
     }
     return "R(0)";
+}
+
+std::string OperandEmitter::exactly(const Operand& left, Comparison comparison, const Operand& right) {
+    if (right.quantity == Quantity::number) return emit_whole_test(whole(left), comparison, right.value, numbers_);
+    if (left.quantity == Quantity::number)
+        return emit_whole_test(whole(right), exchanged(comparison), left.value, numbers_);
+    const std::string first = whole(left);
+    return fmt::format("TO_MASK({} {} {})", first, symbol(comparison), whole(right));
+}
+
+namespace {
+
+// A node's value in OpenCL C, as a number and as a truth.
+struct Value {
+    std::string text;
+    bool truth = false;
+
+    std::string number() const { return truth ? fmt::format("SELECT({}, R(1), R(0))", text) : text; }
+    std::string mask() const { return truth ? text : fmt::format("({} != R(0))", text); }
+};
+
+std::string computed(const ExpressionNode& node, const std::vector<Value>& values) {
+    const auto number = [&](std::size_t nth) { return values[node.arguments[nth]].number(); };
+    const auto mask = [&](std::size_t nth) { return values[node.arguments[nth]].mask(); };
+    const auto joined = [&](const char* sign) { return fmt::format("{} {} {}", number(0), sign, number(1)); };
+    switch (node.operation) {
+        case Operation::operand:
+            break;
+        case Operation::negate:
+            return fmt::format("-{}", number(0));
+        case Operation::add:
+            return joined("+");
+        case Operation::subtract:
+            return joined("-");
+        case Operation::multiply:
+            return joined("*");
+        case Operation::divide:
+            return joined("/");
+        case Operation::compare:
+            return joined(symbol(node.comparison));
+        case Operation::conjunction:
+            return fmt::format("{} & {}", mask(0), mask(1));
+        case Operation::disjunction:
+            return fmt::format("{} | {}", mask(0), mask(1));
+        case Operation::negation:
+            return fmt::format("!{}", mask(0));
+        case Operation::choice:
+            return fmt::format("SELECT({}, {}, {})", mask(0), number(1), number(2));
+        case Operation::call:
+            break;
+    }
+    std::string arguments;
+    for (std::size_t i = 0; i < node.arguments.size(); ++i) arguments += (i == 0 ? "" : ", ") + number(i);
+    return fmt::format("pelage_{}({})", function_table()[node.function].name, arguments);
+}
+
+}  // namespace
+
+// Every node that computes something is declared: what is said twice is not computed twice, and nesting has no limit.
+std::string OperandEmitter::expression(const Expression& expression) {
+    std::vector<Value> values;
+    for (const ExpressionNode& node : expression.nodes) {
+        if (node.operation == Operation::operand) {
+            values.push_back({text(node.operand), false});
+            continue;
+        }
+        const bool truth = gives_truth(node.operation);
+        std::string value;
+        if (node.operation == Operation::compare && compares_exactly(expression, node)) {
+            const auto operand = [&](std::size_t nth) { return expression.nodes[node.arguments[nth]].operand; };
+            value = exactly(operand(0), node.comparison, operand(1));
+        } else {
+            value = computed(node, values);
+        }
+        if (node.operation == Operation::call) use_.functions.insert(node.function);
+        const std::string name = fmt::format("x{}_{}", rule_, parts_++);
+        pending_ += fmt::format("const {} {} = {};\n", truth ? "mask" : "real", name, value);
+        values.push_back({name, truth});
+    }
+    return values.back().number();
 }
 
 std::string OperandEmitter::draw(std::uint32_t purpose) {
@@ -84,7 +185,7 @@ void OperandEmitter::need(std::uint32_t purpose) {
         "const struct pelage_words w{0}_{1} = DRAW(id, iteration, {0}u, {1}u, seed_low, seed_high);\n", rule_, purpose);
 }
 
-std::string OperandEmitter::take_draws() {
+std::string OperandEmitter::take_declarations() {
     std::string text;
     text.swap(pending_);
     return text;
@@ -95,6 +196,10 @@ void OperandEmitter::note_use(RuleUse& use) const {
     use.rates_read.insert(use_.rates_read.begin(), use_.rates_read.end());
     use.mappings_read.insert(use_.mappings_read.begin(), use_.mappings_read.end());
     use.quantities.insert(use_.quantities.begin(), use_.quantities.end());
+    use.laplacians.insert(use_.laplacians.begin(), use_.laplacians.end());
+    use.gradients.insert(use_.gradients.begin(), use_.gradients.end());
+    use.fields.insert(use_.fields.begin(), use_.fields.end());
+    use.functions.insert(use_.functions.begin(), use_.functions.end());
     use.random = use.random || use_.random;
 }
 

@@ -5,6 +5,7 @@
 #include "core/subnormal.hpp"
 #include "opencl/rules/emit_operand.hpp"
 #include "opencl/rules/emit_whole.hpp"
+#include "opencl/rules/functions.hpp"
 
 #include <fmt/format.h>
 
@@ -59,25 +60,25 @@ std::string interval(const Rule& rule, Numbers& numbers) {
 // Emits one rule: its condition as mask t<place>, then its action. Pieces go to `out`.
 class RuleEmitter {
 public:
-    RuleEmitter(RuleText& out, Numbers& numbers, const Rule& rule, std::size_t place, std::size_t divide,
+    RuleEmitter(RuleText& out, Numbers& numbers, const Experiment& experiment, std::size_t place, std::size_t divide,
                 Precision precision)
         : out_(out),
           numbers_(numbers),
-          rule_(rule),
+          rule_(experiment.rules[place]),
           place_(place),
           divide_(divide),
           precision_(precision),
-          operands_(place, numbers) {}
+          operands_(experiment, place, numbers) {}
 
     // `handed`: mask of the `and` rule before, or empty. `interval`: when to act, or empty for always.
     void emit(const std::string& handed, const std::string& interval_test) {
         std::string condition = std::visit([&](const auto& c) { return test(c); }, rule_.condition);
-        const std::string draws = operands_.take_draws();
+        const std::string declarations = operands_.take_declarations();
         if (!interval_test.empty()) condition = join(fmt::format("UNIFORM({})", interval_test), condition);
         if (!handed.empty()) condition = join(handed, condition);
         always_ = condition.empty();
         line(fmt::format("// rule {}", place_));
-        out_.rules += draws;
+        out_.rules += declarations;
         line(fmt::format("const mask t{} = {};", place_, always_ ? "ALL_TRUE" : condition));
         std::visit([&](const auto& action) { act(action); }, rule_.action);
         operands_.note_use(out_.use);
@@ -102,7 +103,7 @@ private:
 
     std::string test(const Always&) { return ""; }
     std::string test(const Compare& c) {
-        if (compared_exactly(c.left, c.right)) return exactly(c.left, c.comparison, c.right);
+        if (compared_exactly(c.left, c.right)) return operands_.exactly(c.left, c.comparison, c.right);
         const std::string left = operands_.text(c.left);
         return fmt::format("({} {} {})", left, symbol(c.comparison), operands_.text(c.right));
     }
@@ -110,20 +111,11 @@ private:
         const bool low_exact = compared_exactly(c.low, c.value);
         const bool high_exact = compared_exactly(c.value, c.high);
         const std::string value = low_exact && high_exact ? "" : operands_.text(c.value);
-        const std::string low = low_exact ? exactly(c.low, Comparison::less_equal, c.value)
+        const std::string low = low_exact ? operands_.exactly(c.low, Comparison::less_equal, c.value)
                                           : fmt::format("({} <= {})", operands_.text(c.low), value);
-        const std::string high = high_exact ? exactly(c.value, Comparison::less_equal, c.high)
+        const std::string high = high_exact ? operands_.exactly(c.value, Comparison::less_equal, c.high)
                                             : fmt::format("({} <= {})", value, operands_.text(c.high));
         return fmt::format("{} & {}", low, high);
-    }
-
-    std::string exactly(const Operand& left, Comparison comparison, const Operand& right) {
-        if (right.quantity == Quantity::number)
-            return emit_whole_test(operands_.whole(left), comparison, right.value, numbers_);
-        if (left.quantity == Quantity::number)
-            return emit_whole_test(operands_.whole(right), exchanged(comparison), left.value, numbers_);
-        const std::string whole = operands_.whole(left);
-        return fmt::format("TO_MASK({} {} {})", whole, symbol(comparison), operands_.whole(right));
     }
 
     std::string test(const Probability& c) {
@@ -131,14 +123,14 @@ private:
         return fmt::format("({} < {})", operands_.draw(purpose::condition), chance);
     }
 
-    // Draws are made only if some lane needs them.
+    // Draws are made and expressions computed only if some lane needs them.
     template <class Body>
     void guarded(Body&& body) {
-        const bool drawn = operands_.has_draws();
-        if (drawn) line(fmt::format("if (ANY({})) {{", truth()));
-        out_.rules += operands_.take_draws();
+        const bool guard = operands_.has_declarations() && !always_;
+        if (guard) line(fmt::format("if (ANY({})) {{", truth()));
+        out_.rules += operands_.take_declarations();
         body();
-        if (drawn) line("}");
+        if (guard) line("}");
     }
 
     std::string deviated(const Operand& amount, double deviation) {
@@ -163,6 +155,20 @@ private:
             for (std::size_t i = 0; i < changed.size(); ++i) {
                 assign(fmt::format("n{}", changed[i]), fmt::format("{}_{}(n{}, {})", kernel_name(react.model),
                                                                    model.species[i].name, changed[i], arguments));
+            }
+        });
+    }
+
+    void act(const Formula& formula) {
+        std::vector<std::string> rates;
+        for (const Formula::Part& part : formula.parts) {
+            out_.use.concentrations_written.insert(part.chemical);
+            rates.push_back(operands_.text(part.rate));
+        }
+        guarded([&] {
+            for (std::size_t i = 0; i < rates.size(); ++i) {
+                const std::string target = fmt::format("n{}", formula.parts[i].chemical);
+                assign(target, fmt::format("ADD_REACTION({}, R(1), {}, dt)", target, rates[i]));
             }
         });
     }
@@ -280,7 +286,7 @@ RuleText emit_rules(const Experiment& experiment, const std::vector<bool>& activ
         text.numbers.declare(acts && test_intervals);
         const std::string when = interval(rule, text.numbers);
         text.numbers.declare(acts);
-        RuleEmitter(acts ? text : left_out, text.numbers, rule, place, divide, precision)
+        RuleEmitter(acts ? text : left_out, text.numbers, experiment, place, divide, precision)
             .emit(given, test_intervals ? when : "");
     }
     frame(text, experiment, active);
@@ -291,8 +297,9 @@ std::vector<KernelNumber> rule_parameters(const Experiment& experiment, Precisio
     return emit_rules(experiment, std::vector<bool>(experiment.rules.size()), precision).numbers.values();
 }
 
-std::vector<std::string> model_files(const RuleUse& use) {
-    std::vector<std::string> files{"rules/reaction.cl"};
+std::vector<std::string> rule_files(const RuleUse& use) {
+    std::vector<std::string> files = function_files(use.functions);
+    files.emplace_back("rules/reaction.cl");
     for (const std::size_t model : use.reacts) files.push_back("models/" + kernel_name(Model{model}) + ".cl");
     return files;
 }

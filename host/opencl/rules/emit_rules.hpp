@@ -3,21 +3,25 @@
 // The kernel around the emitted text provides, for one work-item (types as in kernels/common/prelude.cl):
 //   const real c0, c1, ...      old concentrations           real n0, n1, ...   new ones, set to the old before `rules`
 //   const real r0, r1, ...      old rates, where read        real q0, q1, ...   new ones, alike, where written
+//   const real lap0, lap1, ...  laplacians of chemicals, where read; slope_x0, slope_y0, ... their gradients
+//   const real z0, z1, ...      fields of a lattice, where read
 //   real m0, m1, ...            mappings of the cell, loaded before and stored after `rules`; where used
 //   const real px, py           old polarity, where RuleUse::polarity
 //   const real dt               time step
+//   const real time_start; const uint time_begin        time and iteration at which the phase began, where TIME is read
 //   numbers.declarations() of the RuleText
 //   const uintv id; const uint iteration, seed_low, seed_high          where RuleUse::random (iteration: always)
 //   and as macros, where RuleUse::quantities says so, of type real:  GET_X  GET_Y
 //   and of type uintv:  WHOLE_NEIGHBOURS  WHOLE_AGE  WHOLE_BIRTH  WHOLE_ROW  WHOLE_COLUMN  WHOLE_ROWS  WHOLE_COLUMNS
 // The emitted text declares
 //   mask t0, t1, ...            where the rule of that number acts
+//   real or mask x0_0, x0_1 ... parts of the expressions of that rule
 //   mask e0.., real s0..        RuleUse::sets: where a `set` replaces the new concentration, and by what
 //   mask g0, g1, ...            RuleUse::polarizes: where the polarity shall follow that chemical's gradient
 // and leaves divisions and moves to macros of the kernel:
 //   DIVIDE(nth, rule, where, degrees)     the nth `divide` rule of the experiment; degrees relative to the polarity
 //   MOVE(where, distance)                 along the old polarity
-// There is no control flow but `if (ANY(mask))` around draws, so that `real` may be a vector.
+// There is no control flow but `if (ANY(mask))` around draws and expressions, so that `real` may be a vector.
 #pragma once
 
 #include "core/experiment.hpp"
@@ -37,10 +41,14 @@ struct RuleUse {                                // what the emitted rules need o
     std::set<std::size_t> rates_written;
     std::set<std::size_t> mappings_read;
     std::set<std::size_t> mappings_written;
-    std::set<std::size_t> sets;       // chemicals with a remembered `set` of the concentration
-    std::set<std::size_t> polarizes;  // chemicals
-    std::set<std::size_t> reacts;     // places in model_table(): kernels/models/NAME.cl must come before
-    std::set<Quantity> quantities;    // those read that are neither numbers nor indexed
+    std::set<std::size_t> sets;        // chemicals with a remembered `set` of the concentration
+    std::set<std::size_t> polarizes;   // chemicals
+    std::set<std::size_t> reacts;      // places in model_table(): kernels/models/NAME.cl must come before
+    std::set<std::size_t> laplacians;  // of chemicals
+    std::set<std::size_t> gradients;   // of chemicals, along rows or columns
+    std::set<std::size_t> fields;      // of a lattice
+    std::set<std::size_t> functions;   // places in function_table(): kernels/functions/NAME.cl must come before
+    std::set<Quantity> quantities;     // those read that are neither numbers nor indexed
     bool random = false;
     bool polarity = false;  // some rule moves or divides
     bool divides = false;
@@ -65,7 +73,8 @@ std::vector<KernelNumber> rule_parameters(const Experiment&, Precision);
 // A number as written in OpenCL C, exactly: "R(0x1.8p+0f)".
 std::string emit_number(double value, Precision);
 
-// "kernels/models/NAME.cl" of every model used, in order, relative to kernels/, rules/reaction.cl first.
-std::vector<std::string> model_files(const RuleUse&);
+// The files of every function and model used, in order, relative to kernels/: functions/NAME.cl, rules/reaction.cl,
+// models/NAME.cl.
+std::vector<std::string> rule_files(const RuleUse&);
 
 }  // namespace pelage

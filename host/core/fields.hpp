@@ -1,0 +1,31 @@
+// Fields: numbers that each place of a lattice has, computed from where it lies or taken from a picture.
+#pragma once
+
+#include "core/experiment.hpp"
+#include "core/precision.hpp"
+
+#include <cstddef>
+#include <vector>
+
+namespace pelage {
+
+// A lattice's size and centre.
+struct Extent {
+    std::size_t columns = 0;
+    std::size_t rows = 0;
+    double origin_x = 0.0;
+    double origin_y = 0.0;
+};
+
+// Centres of cells that lie 2 apart around `origin`.
+std::vector<double> centres(double origin, std::size_t count);
+
+// [field][cell] of all fields of the experiment. They are computed in double precision and then rounded to that of the
+// run. Throws Error where a value of a field with a name is no finite number.
+std::vector<std::vector<double>> field_values(const Experiment&, const Extent&, Precision);
+
+// Parts of rules' expressions that depend on the place alone and cost something become fields without a name: they are
+// computed once, not in every iteration. Does nothing for free cells.
+void compute_places_once(Experiment&);
+
+}  // namespace pelage

@@ -1,0 +1,35 @@
+// Expressions outside rules: of fields, which depend on the place alone, and of how a tissue starts.
+#pragma once
+
+#include "core/expression.hpp"
+
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+namespace pelage {
+
+// What such an expression reads, one entry a cell.
+struct Scene {
+    std::size_t columns = 0;  // 0 for free cells
+    std::size_t rows = 0;
+    std::vector<double> x, y;
+    std::vector<std::vector<double>> fields;                 // [field][cell], those that may be read
+    const std::vector<std::vector<double>>* conc = nullptr;  // [chemical][cell]; null: may not be read
+    const std::vector<std::vector<double>>* diff = nullptr;
+    // Of RANDOM: the key, and two words of the counter; the others are the cell's id and 0.
+    std::int64_t seed = 1;
+    std::uint32_t place = 0;
+    std::uint32_t purpose = 0;
+
+    std::size_t cells() const { return x.size(); }
+};
+
+// Whether an expression of a field, or else of a start, may read this.
+bool seen_by_field(Quantity);
+bool seen_at_start(Quantity);
+
+// The expression's values in double precision, one a cell. Throws Error where it reads what the scene does not show.
+std::vector<double> evaluate(const Expression&, const Scene&);
+
+}  // namespace pelage

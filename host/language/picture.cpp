@@ -1,0 +1,50 @@
+// See picture.hpp.
+#include "language/picture.hpp"
+
+#include "io/field.hpp"
+#include "io/file_bytes.hpp"
+#include "io/sha256.hpp"
+
+#include <utility>
+
+namespace pelage::language {
+
+namespace {
+
+std::shared_ptr<const Field> scaled(Field field, double low, double high) {
+    if (low != 0.0 || high != 1.0) {
+        for (double& value : field.values) value = low + value * (high - low);
+    }
+    return std::make_shared<const Field>(std::move(field));
+}
+
+}  // namespace
+
+void parse_channel(Cursor& cursor, PictureOptions& picture) {
+    picture.channel = (cursor.peek().quoted ? cursor.next() : cursor.value("the channel")).text;
+}
+
+void parse_scale(Cursor& cursor, PictureOptions& picture) {
+    picture.low = cursor.number("the lowest value");
+    cursor.expect("to");
+    picture.high = cursor.number("the highest value");
+}
+
+std::shared_ptr<const Field> load_picture(Script& script, const Cursor& cursor, const PictureOptions& picture) {
+    const std::string name(picture.file->text);
+    if (script.pictures() == StartPictures::left_out) {
+        script.experiment.inputs.push_back({name, {}});
+        return nullptr;
+    }
+    try {
+        const std::string path = script.resolve(name).string();
+        const std::string bytes = read_file(path);
+        auto values = scaled(parse_field(bytes, picture.channel, path), picture.low, picture.high);
+        script.experiment.inputs.push_back({name, sha256(bytes)});
+        return values;
+    } catch (const Error& error) {
+        cursor.fail(*picture.file, error.what());
+    }
+}
+
+}  // namespace pelage::language

@@ -1,0 +1,28 @@
+// What rules see of the space around the cells: fields, and how a chemical changes from a cell to its neighbours.
+#pragma once
+
+#include "core/error.hpp"
+
+#include <vector>
+
+namespace pelage::reference {
+
+// That of free cells: none of it.
+template <class T>
+class Ground {
+public:
+    virtual ~Ground() = default;
+
+    std::vector<std::vector<T>> fields;  // [field][cell]
+
+    // For each cell, of values of all cells: the sum over its neighbours, each with its share of the stencil, of theirs
+    // less the cell's own.
+    virtual std::vector<T> laplacian(const std::vector<T>&) const { throw Error("free cells have no laplacian"); }
+    // Half of what lies between the values on either side, or above and below, where a neighbour that is not there has
+    // the cell's own.
+    virtual std::vector<T> gradient(const std::vector<T>&, [[maybe_unused]] bool up) const {
+        throw Error("free cells have no gradient along rows and columns");
+    }
+};
+
+}  // namespace pelage::reference

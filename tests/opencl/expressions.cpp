@@ -1,0 +1,96 @@
+// Expressions: fields, formulas, conditions, laplacians and gradients end in the reference's bits on every path.
+#include "core/prepattern.hpp"
+#include "language/parse.hpp"
+#include "opencl/backend.hpp"
+#include "reference/backend.hpp"
+#include "verify/compare.hpp"
+
+#include <fmt/format.h>
+#include <catch2/catch.hpp>
+
+#include <cmath>
+#include <string>
+
+using namespace pelage;
+
+namespace {
+
+void check_equal(const std::string& text, const OpenclOptions& options, std::uint64_t first = 0) {
+    INFO(text);
+    const Experiment experiment = parse_experiment(text, "expressions.pex", ".");
+    Snapshot initial = initial_state(experiment, options.precision);
+    initial.iteration = first;
+    const auto expected = reference_backend(options.precision)->make_tissue(experiment, initial);
+    const auto found = opencl_backend(options)->make_tissue(experiment, initial);
+    for (const std::uint64_t steps : {1, 2, 9, 12}) {
+        expected->advance(steps);
+        found->advance(steps);
+        INFO("after iteration " << expected->iteration());
+        REQUIRE(verify::differences(expected->read(), found->read()).empty());
+    }
+}
+
+const std::string chemicals =
+    "define parameter far 11\ndefine chemical U limit 9 floor -9\ndefine chemical V limit 9 floor -9\n"
+    "define chemical W limit 9 floor -9\ndefine time_step 0.05\n";
+const std::string starts =
+    "use chemical U conc (2 + sin(X / 7) * cos(Y / 5)) diff 0.5\nuse chemical V conc (RANDOM) diff (0.2 + 0.1 * "
+    "RANDOM)\n"
+    "use chemical W conc 1 dev 0.5\n";
+const std::string lattice_fields =
+    "define field hill (exp(-(X ^ 2 + Y ^ 2) / far))\ndefine field noise (RANDOM - 0.5)\n";
+const std::string of_both =
+    "rule always react U by (U - U ^ 3 / 3 - V + 0.1 * sin(TIME)) V by (0.08 * (U + 0.7 - 0.8 * V))\n"
+    "rule if (U > V and not W > 1.2 or AGE == 3) change W conc (0.1 * tanh(U * V) + atan2(U, V) / 40)\n"
+    "rule probability (0.5 * sigmoid(U)) set W conc (if(RANDOM < 0.5, min(U, 2), max(V, diff(V))))\n"
+    "rule always map (hypot(U, V)) 0 4 to M 0.5 1\nrule if (U + M) in (M - 1) (M + 1) change V conc (0.01 * M)\n"
+    "rule every 2 if (mod(ITERATION, 4) == 2) change U conc (-0.02 * log(2 + U ^ 2)) dev 0.01\n"
+    "rule always react W by (pow(2 + sin(W), 1.5) - 3)\n";
+
+}  // namespace
+
+TEST_CASE("Expressions on a matrix have the reference's bits on every path") {
+    OpenclOptions options;
+    options.path = GENERATE(Path::step, Path::shared, Path::streamed, Path::tiled);
+    options.precision = options.path == Path::shared ? Precision::double_ : Precision::single_;
+    check_equal(chemicals + lattice_fields + starts + "create matrix 37 23 no-flux\n" + of_both +
+                    "rule if (hill > 0.5) react U by (-hill * (U + noise)) V by (0.01 * COLUMN / COLUMNS * ROW)\n",
+                options);
+}
+
+TEST_CASE("Laplacians and gradients in expressions have the reference's bits on every path and at every edge") {
+    const std::pair<Path, std::string> kinds[] = {{Path::step, "absorbing"},  {Path::step, "wrap"},
+                                                  {Path::shared, "no-flux"},  {Path::streamed, "no-flux"},
+                                                  {Path::streamed, "wrap"},   {Path::streamed, "absorbing"},
+                                                  {Path::tiled, "absorbing"}, {Path::tiled, "no-flux"}};
+    const auto& [path, boundary] = kinds[GENERATE(range(0, 8))];
+    OpenclOptions options;
+    options.path = path;
+    const std::string stencil = boundary == "wrap" ? "five-point" : boundary == "absorbing" ? "sims" : "nine-point";
+    check_equal("define stencil " + stencil + "\n" + chemicals + starts + "create matrix 37 23 " + boundary +
+                    "\nrule always set W conc (laplacian(U) - 0.5 * U)\n"
+                    "rule always react U by (0.3 * laplacian(W) - U * gradient_x(V) + gradient_y(U) * 0.1)\n"
+                    "rule if (gradient_x(V) ^ 2 + gradient_y(V) ^ 2 > 0.01) change V conc (-0.01 * laplacian(V))\n",
+                options);
+}
+
+TEST_CASE("Expressions on a published grid and on free cells have the reference's bits") {
+    OpenclOptions options;
+    check_equal(
+        chemicals + starts + "create sqr_grid 19 14\n" + of_both + "rule always set W conc (0.1 * laplacian(U))\n",
+        options);
+    check_equal(chemicals + "define field hill (exp(-(X ^ 2 + Y ^ 2) / far))\n" + starts + "create hex_circle 5\n" +
+                    of_both + "rule if (hill > 0.3) move (0.02 * hill)\n",
+                options);
+}
+
+TEST_CASE("Expressions follow a growing matrix and phases") {
+    OpenclOptions options;
+    options.path = GENERATE(Path::shared, Path::streamed);
+    check_equal(chemicals + lattice_fields + starts +
+                    "create matrix 21 13\nrule always react U by (hill - 0.1 * U + noise) V by (0.1 * sin(X) * U)\n"
+                    "rule every 5 offset 2 always expand columns 1 rows 1\nphase \"a\" 8\n"
+                    "rule always change V conc (0.001 * TIME)\nphase \"b\" 40\ndefine time_step 0.025\n"
+                    "rule always change V conc (0.002 * sin(TIME))\n",
+                options);
+}
