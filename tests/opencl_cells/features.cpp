@@ -1,4 +1,6 @@
 // Every rule and property of free cells on the device against the reference, bit for bit, in float and double.
+#include "features_at_once.hpp"
+
 #include "core/error.hpp"
 #include "core/prepattern.hpp"
 #include "reference/cells/tissue.hpp"
@@ -24,25 +26,9 @@ TEST_CASE("free cells: each feature on the device equals the reference") {
     test::check_equal_runs(*expected, *found, 40, 8);
 }
 
-TEST_CASE("free cells: many features at once, in float and double") {
-    const Precision precision = GENERATE(Precision::single_, Precision::double_);
-    CellsOptions options;
-    options.together = precision == Precision::double_;  // these programs take long to compile
-    CAPTURE(static_cast<int>(precision), *options.together);
-    std::string before;
-    std::string lines = verify::cell_tissue;
-    for (const verify::CellCase& feature : verify::cell_cases()) {
-        if (feature.lines.rfind("rule", 0) != 0) continue;
-        before += feature.before;
-        lines += feature.lines;
-    }
-    lines = before + lines;
-    const auto experiment = test::experiment(lines);
-
-    const auto expected = test::on_reference(experiment, precision);
-    const auto found = test::on_device(experiment, options, precision);
-
-    test::check_equal_runs(*expected, *found, 30, 6);
+TEST_CASE("free cells: half of the features at once in float, the others in double") {
+    SECTION("float, one iteration a launch") { test::check_features_at_once(Precision::single_, false, 0, 2); }
+    SECTION("double, many iterations a launch") { test::check_features_at_once(Precision::double_, true, 1, 2); }
 }
 
 TEST_CASE("free cells: experiments without a polarity, a chemical or a neighbour") {

@@ -30,7 +30,7 @@ std::pair<int, int> run_with_little_memory(Stage& stage, std::size_t all) {
     Faults& layer = Faults::layer();
     int recovered = 0;
     int refused = 0;
-    for (std::size_t percent = 100; percent >= 40; percent -= 3) {
+    for (std::size_t percent = 100; percent >= 40; percent -= test::long_form ? 3 : 6) {
         layer.reset();
         stage.machine.memory = all / 100 * percent;
         INFO(fmt::format("{} of {} bytes", stage.machine.memory, all));
@@ -82,10 +82,11 @@ TEST_CASE("a device that disappears ends a run with one sentence, and leaves who
     for (const Stage::Play play : test::all_plays) {
         Stage stage(play);
         const std::size_t calls = test::calls_of_a_good_run(stage).size();
-        for (std::size_t tenth = 0; tenth < 10; ++tenth) {
-            INFO(fmt::format("at call {} of {}", calls * tenth / 10, calls));
+        constexpr std::size_t parts = test::long_form ? 10 : 4;
+        for (std::size_t part = 0; part < parts; ++part) {
+            INFO(fmt::format("at call {} of {}", calls * part / parts, calls));
             layer.reset();
-            layer.lose_device(calls * tenth / 10);
+            layer.lose_device(calls * part / parts);
             const Ending ending = stage.run();
 
             CHECK_FALSE(ending.finished);

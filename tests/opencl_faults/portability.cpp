@@ -164,7 +164,9 @@ TEST_CASE("a device without double runs in float, and says so when double is wan
 }
 
 TEST_CASE("free cells too are stepped in float without a double") {
-    Stage stage(GENERATE(Stage::Play::cells, Stage::Play::sorting, Stage::Play::cells_on_gpu));
+    Stage stage(GENERATE(
+        from_range(test::long_form ? std::vector{Stage::Play::cells, Stage::Play::sorting, Stage::Play::cells_on_gpu}
+                                   : std::vector{Stage::Play::cells, Stage::Play::sorting})));
     stage.machine.without_double();
     stage.options().no_cache = true;
 
@@ -188,8 +190,14 @@ TEST_CASE("a work-group's limit along its first dimension is kept") {
 }
 
 TEST_CASE("where a kernel takes fewer work-items than its device says, groups are made smaller") {
-    const std::size_t items = GENERATE(1u, 4u);
-    Stage stage(GENERATE(Stage::Play::lattice_on_gpu, Stage::Play::cells_on_gpu, Stage::Play::sorting));
+    using Few = std::pair<std::size_t, Stage::Play>;
+    std::vector<Few> few{{1, Stage::Play::lattice_on_gpu}, {4, Stage::Play::cells_on_gpu}, {1, Stage::Play::sorting}};
+    if (test::long_form) {
+        few.insert(few.end(),
+                   {{4, Stage::Play::lattice_on_gpu}, {1, Stage::Play::cells_on_gpu}, {4, Stage::Play::sorting}});
+    }
+    const auto [items, play] = GENERATE_COPY(from_range(few));
+    Stage stage(play);
     stage.machine.work_group = items;
 
     check_equal_to_reference(stage);
