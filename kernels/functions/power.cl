@@ -34,7 +34,7 @@ static inline real pelage_power_tail(real r) {
 
 // |x| < 174 (1400); |low| is at most about a rounding error of x.
 static inline struct pelage_power pelage_power(real x, real low) {
-    const real k = rint(x * PICK(0x1.715476p+0f, 0x1.71547652b82fep+0));
+    const real k = NEAREST(x * PICK(0x1.715476p+0f, 0x1.71547652b82fep+0));
     const real near = fma(-k, LN2_HIGH, x);  // exact
     const real r = fma(-k, LN2_LOW, near);
     const real rest = fma(-k, LN2_LOW, near - r) + low;

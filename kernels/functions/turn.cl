@@ -68,7 +68,7 @@ static inline struct pelage_pair pelage_all_turns(real size, mask far, struct pe
 
 // For size >= 0; what is infinite has no angle.
 static inline struct pelage_angle pelage_angle(real size) {
-    real quarters = rint(size * PICK(0x1.45f306p-1f, 0x1.45f306dc9c883p-1));
+    real quarters = NEAREST(size * PICK(0x1.45f306p-1f, 0x1.45f306dc9c883p-1));
     struct pelage_pair r = pelage_near_turn(size, quarters);
     const mask far = size > PICK(65536.0f, 4194304.0);
     if (ANY(far)) r = pelage_all_turns(size, far, r, &quarters);

@@ -57,6 +57,12 @@ inline constexpr T ln2_low = pick<T>(0x1.7f7d1cp-20f, 0x1.3de6af278ece6p-42);
 template <class T>
 inline constexpr T whole_shift = pick<T>(0x1.8p+23f, 0x1.8p+52);
 
+// The nearest whole number, for |x| < 2^21.
+template <class T>
+T nearest(T x) {
+    return (x + whole_shift<T>)-whole_shift<T>;
+}
+
 template <class T>
 Bits<T> whole_bits(T w) {
     return bits_of<T>(w + whole_shift<T>);

@@ -29,7 +29,7 @@ T power_tail(T r) {
 // |x| < 174 (1400); |low| is at most about a rounding error of x.
 template <class T>
 Power<T> power(T x, T low) {
-    const T k = std::rint(x * pick<T>(0x1.715476p+0f, 0x1.71547652b82fep+0));
+    const T k = nearest(x * pick<T>(0x1.715476p+0f, 0x1.71547652b82fep+0));
     const T near = std::fma(-k, ln2_high<T>, x);  // exact
     const T r = std::fma(-k, ln2_low<T>, near);
     const T rest = std::fma(-k, ln2_low<T>, near - r) + low;

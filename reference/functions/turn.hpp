@@ -50,7 +50,7 @@ Pair<T> of_far_turn(const FarTurn<T>& turn) {
 // For size >= 0; what is infinite has no angle.
 template <class T>
 Angle<T> angle(T size) {
-    T quarters = std::rint(size * pick<T>(0x1.45f306p-1f, 0x1.45f306dc9c883p-1));
+    T quarters = nearest(size * pick<T>(0x1.45f306p-1f, 0x1.45f306dc9c883p-1));
     Pair<T> r = near_turn(size, quarters);
     if (size > pick<T>(65536.0f, 4194304.0)) {
         const FarTurn<T> far = far_turn(size < infinite<T> ? size : T(2));
