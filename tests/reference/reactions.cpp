@@ -159,7 +159,9 @@ float eleven(const React& react) {
     reference::State<float> old;
     old.conc = {{1.0f}};
     reference::State<float> next = old;
-    reference::Sight<float> sight{old, old.mappings, 0, 1, 0};
+    const Experiment experiment;
+    const reference::Ground<float> ground;
+    reference::Sight<float> sight{experiment, old, old.mappings, ground, 0, 1, 0};
     const std::vector<std::uint8_t> truth{1};
     reference::Reaction<float>(react, sight, next, truth).run<Eleven>(reference::Fused<float>{1.0f});
     return next.conc[0][0];
