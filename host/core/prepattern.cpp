@@ -100,13 +100,15 @@ public:
     }
 
     void operator()(const SetCells& set) {
-        if (set.last < set.first || set.last >= state_.cells()) {
-            throw Error(fmt::format("{}: `set` names cells {} to {}; cells 0 to {} exist", experiment_.source,
-                                    set.first, set.last, static_cast<std::int64_t>(state_.cells()) - 1));
+        const std::size_t first = set.where ? 0 : set.first;
+        const std::size_t last = set.where ? state_.cells() - 1 : set.last;
+        if (last < first || last >= state_.cells()) {
+            throw Error(fmt::format("{}: `set` names cells {} to {}; cells 0 to {} exist", experiment_.source, first,
+                                    last, static_cast<std::int64_t>(state_.cells()) - 1));
         }
         const std::vector<double> where = set.where ? values(*set.where, 0) : std::vector<double>();
         computed_ = expression_of(set.what) ? values(*expression_of(set.what), 1) : std::vector<double>();
-        for (std::size_t cell = set.first; cell <= set.last; ++cell) {
+        for (std::size_t cell = first; cell <= last; ++cell) {
             if (!where.empty() && where[cell] == 0.0) continue;
             std::visit([&](const auto& what) { apply(what, cell); }, set.what);
         }

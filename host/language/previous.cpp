@@ -35,10 +35,14 @@ std::size_t Script::previous_of(std::size_t chemical, const Cursor& cursor, cons
 void Script::finish_previous() {
     for (const Kept& kept : kept_) {
         const Operand now = Operand::concentration(kept.chemical);
+        const auto keep = [&](const Operand& operand) {
+            experiment.expressions.push_back(
+                {keeper_name(kept), {{Operation::operand, operand, {}, 0, {}}}, kept.place.line});
+            return experiment.expressions.size() - 1;
+        };
         SetCells start;
-        start.last = cells_ - 1;
-        experiment.expressions.push_back({keeper_name(kept), {{Operation::operand, now, {}, 0, {}}}, kept.place.line});
-        start.what = SetConcentration{kept.keeper, {0.0, 0.0, experiment.expressions.size() - 1}};
+        start.where = keep(Operand::number(1.0));
+        start.what = SetConcentration{kept.keeper, {0.0, 0.0, keep(now)}};
         this->start(start, kept.place);
         experiment.chemicals[kept.keeper].initial = experiment.chemicals[kept.chemical].initial;
         Rule rule;

@@ -20,7 +20,6 @@ SetCells parse_where(Script& script, Cursor& cursor) {
     const Token& token = cursor.peek();
     Expression expression = parse_expression(script, cursor, Scope::start, "what holds for the cells");
     SetCells cells;
-    cells.last = script.cells() - 1;
     cells.where = keep_expression(script, cursor, token, std::move(expression));
     return cells;
 }

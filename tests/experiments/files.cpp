@@ -15,6 +15,13 @@ std::vector<std::filesystem::path> experiment_files() {
     return files;
 }
 
+std::string remarks(const std::filesystem::path& file) {
+    std::ifstream in(file);
+    std::string text;
+    for (std::string line; std::getline(in, line) && line.starts_with("//");) text += line.substr(2);
+    return text;
+}
+
 std::string first_line(const std::filesystem::path& file) {
     std::ifstream in(file);
     std::string line;
