@@ -151,7 +151,7 @@ def code_of(line):
     """The line without its remark; nothing for lines of the preprocessor that choose or include."""
     if re.match(r"\s*#\s*(if|el|en|un|include|pragma)", line) or line.lstrip().startswith("//"):
         return ""
-    return line.split("//")[0]
+    return re.sub(r"/\*.*?\*/", lambda m: " " * len(m.group()), line.split("//")[0])
 
 
 def sites(text):
@@ -283,7 +283,7 @@ def judge(program, names, form, surroundings, workers):
                 break
             result = worker.ask(name)
             if result is None or result == "late":
-                found.append(("killed", name, "crashed" if result is None else "did not end"))
+                found.append(("late", name, f"did not end within {LIMIT} s") if result else ("killed", name, "crashed"))
                 over.set()
             elif result["verdict"] in ("failed", "mistrusted"):
                 broken = "could not build a program" in result["message"]
@@ -401,6 +401,9 @@ def summary(results):
     killed = sum(one["verdict"] == "killed" for one in results)
     survived = [one for one in results if one["verdict"] == "survived"]
     text += f"\n{killed} of {killed + len(survived)} killed\n"
+    late = sum(one["verdict"] == "late" for one in results)
+    if late:
+        text += f"{late} not judged: a check did not end; it hangs, or the machine is busy\n"
     for one in survived:
         text += f"\nsurvived: {one['file']}:{one['line']}, {one['operator']}\n{difference(one)}\n"
     return text
@@ -430,6 +433,7 @@ def main():
     verdict, name, what = bench.healthy()
     if verdict != "survived":
         raise SystemExit(f"without a fault {name} fails already: {what}")
+    results = [one for one in results if one["verdict"] != "late"]  # they are tried again
     known = {(one["file"], one["before"], one["after"], one["nth"]): one for one in results}
     faults = named() if chosen.named else json.loads(chosen.replay.read_text()) if chosen.replay else draw(chosen.seed)
     for one in results:
