@@ -25,7 +25,7 @@ add_custom_command(
           "-DFILES=${model_files}"
           -P ${PROJECT_SOURCE_DIR}/cmake/WriteModels.cmake
   COMMAND ${CMAKE_COMMAND} -E touch ${generated}/models.stamp
-  DEPENDS ${model_files} ${PROJECT_SOURCE_DIR}/cmake/WriteModels.cmake
+  DEPENDS ${model_files} ${PROJECT_SOURCE_DIR}/cmake/WriteModels.cmake ${PROJECT_SOURCE_DIR}/cmake/Tables.cmake
   COMMENT "Listing reaction models"
   VERBATIM)
 add_custom_target(pelage_models DEPENDS ${generated}/models.stamp)
@@ -43,7 +43,7 @@ add_custom_command(
           "-DFILES=${function_files}"
           -P ${PROJECT_SOURCE_DIR}/cmake/WriteFunctions.cmake
   COMMAND ${CMAKE_COMMAND} -E touch ${generated}/functions.stamp
-  DEPENDS ${function_files} ${PROJECT_SOURCE_DIR}/cmake/WriteFunctions.cmake
+  DEPENDS ${function_files} ${PROJECT_SOURCE_DIR}/cmake/WriteFunctions.cmake ${PROJECT_SOURCE_DIR}/cmake/Tables.cmake
   COMMENT "Listing elementary functions"
   VERBATIM)
 add_custom_target(pelage_functions DEPENDS ${generated}/functions.stamp)

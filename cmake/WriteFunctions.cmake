@@ -3,16 +3,8 @@
 #   REFERENCES  the reference's functions, REFERENCE/*.hpp; a file xy.hpp there defines a template xy<T>
 # FILES are those of both folders: named in the command, so that it runs again when one is gone.
 cmake_minimum_required(VERSION 3.25)
-set(kernels ${FILES})
-list(FILTER kernels INCLUDE REGEX "\\.cl$")
-set(references ${FILES})
-list(FILTER references INCLUDE REGEX "\\.hpp$")
-foreach(reference IN LISTS references)
-  get_filename_component(name ${reference} NAME_WE)
-  if(NOT EXISTS ${KERNELS}/${name}.cl)
-    message(FATAL_ERROR "${reference}: OpenCL has no such function; it would be ${KERNELS}/${name}.cl")
-  endif()
-endforeach()
+include(${CMAKE_CURRENT_LIST_DIR}/Tables.cmake)
+pelage_pair_files(function)
 
 # "a, b" becomes "\"a\", \"b\"" in OUT; what is no list of names stops the build.
 function(quote_names kernel names out)
@@ -26,9 +18,6 @@ endfunction()
 
 foreach(kernel IN LISTS kernels)
   get_filename_component(name ${kernel} NAME_WE)
-  if(NOT EXISTS ${REFERENCE}/${name}.hpp)
-    message(FATAL_ERROR "${kernel}: the reference has no such function; it would be ${REFERENCE}/${name}.hpp")
-  endif()
   file(STRINGS ${kernel} line LIMIT_COUNT 1)
   if(line MATCHES "^//@ function ${name} ([^|]+)(\\| needs ([^|]+))?$")
     set(parameters "${CMAKE_MATCH_1}")
@@ -61,12 +50,10 @@ foreach(kernel IN LISTS kernels)
       list(APPEND arguments "a[${place}]")
     endforeach()
     list(JOIN arguments ", " arguments)
-    string(SUBSTRING "${name}" 0 1 first)
-    string(SUBSTRING "${name}" 1 -1 rest)
-    string(TOUPPER "${first}" first)
-    list(APPEND types ${first}${rest})
+    pelage_type_name(${name} type)
+    list(APPEND types ${type})
     string(APPEND includes "#include \"reference/functions/${name}.hpp\"\n")
-    string(APPEND structs "struct ${first}${rest} {\n    static constexpr std::size_t parameters = ${count};\n"
+    string(APPEND structs "struct ${type} {\n    static constexpr std::size_t parameters = ${count};\n"
       "    template <class T>\n    static T of(const T* a) {\n        return functions::${name}<T>(${arguments});\n    }\n};\n\n")
   endif()
 endforeach()
@@ -84,15 +71,5 @@ string(CONCAT code "// Made by cmake/WriteFunctions.cmake from reference/functio
   "${includes}\n#include <cstddef>\n#include <tuple>\n\nnamespace pelage::reference {\n\n"
   "${structs}using Functions = std::tuple<${types}>;\n\n}  // namespace pelage::reference\n")
 
-# Files that would stay the same keep their time: what includes them is not compiled again.
-foreach(output TABLE REFERENCES)
-  set(text_of_TABLE "${table}")
-  set(text_of_REFERENCES "${code}")
-  set(before)
-  if(EXISTS ${${output}})
-    file(READ ${${output}} before)
-  endif()
-  if(NOT before STREQUAL text_of_${output})
-    file(WRITE ${${output}} "${text_of_${output}}")
-  endif()
-endforeach()
+pelage_write(${TABLE} "${table}")
+pelage_write(${REFERENCES} "${code}")

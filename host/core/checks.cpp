@@ -37,4 +37,10 @@ void Checks::check_size(std::size_t columns, std::size_t rows) const {
     }
 }
 
+const Expression& Checks::checked_expression(std::size_t index, const char* where) const {
+    if (index >= experiment_.expressions.size()) fail(fmt::format("{} reads an expression that is not defined", where));
+    check_expression(experiment_.expressions[index]);
+    return experiment_.expressions[index];
+}
+
 }  // namespace pelage

@@ -19,6 +19,8 @@ protected:
     void check_deviation(double) const;
     void check_chemical(std::size_t chemical, const char* where) const;
     void check_size(std::size_t columns, std::size_t rows) const;
+    // The expression at that place of the experiment, when there is one and its nodes are a tree.
+    const Expression& checked_expression(std::size_t index, const char* where) const;
 
     const Experiment& experiment_;
     std::size_t line_ = 0;  // of the rule that is being checked

@@ -15,25 +15,6 @@ constexpr std::size_t block_size = 256;
 template <class T>
 using Block = std::array<T, block_size>;
 
-template <class T>
-bool holds(T left, Comparison comparison, T right) {
-    switch (comparison) {
-        case Comparison::equal:
-            return left == right;
-        case Comparison::not_equal:
-            return left != right;
-        case Comparison::less:
-            return left < right;
-        case Comparison::less_equal:
-            return left <= right;
-        case Comparison::greater:
-            return left > right;
-        case Comparison::greater_equal:
-            return left >= right;
-    }
-    return false;
-}
-
 // One node for `count` cells; `a`: its arguments' values.
 template <class T>
 void compute(const ExpressionNode& node, const T* const* a, std::size_t count, T* out) {

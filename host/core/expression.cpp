@@ -15,6 +15,19 @@ bool gives_truth(Operation operation) {
            operation == Operation::disjunction || operation == Operation::negation;
 }
 
+bool compares_exactly(const Expression& expression, const ExpressionNode& node) {
+    const auto operand = [&](std::size_t place) -> const Operand* {
+        const ExpressionNode& argument = expression.nodes[node.arguments[place]];
+        return argument.operation == Operation::operand ? &argument.operand : nullptr;
+    };
+    const Operand* const left = operand(0);
+    const Operand* const right = operand(1);
+    return left != nullptr && right != nullptr && compared_exactly(*left, *right);
+}
+
+namespace {
+
+// `call` takes as many as its function.
 std::size_t arguments_of(const ExpressionNode& node) {
     switch (node.operation) {
         case Operation::operand:
@@ -30,18 +43,6 @@ std::size_t arguments_of(const ExpressionNode& node) {
             return 2;
     }
 }
-
-bool compares_exactly(const Expression& expression, const ExpressionNode& node) {
-    const auto operand = [&](std::size_t place) -> const Operand* {
-        const ExpressionNode& argument = expression.nodes[node.arguments[place]];
-        return argument.operation == Operation::operand ? &argument.operand : nullptr;
-    };
-    const Operand* const left = operand(0);
-    const Operand* const right = operand(1);
-    return left != nullptr && right != nullptr && compared_exactly(*left, *right);
-}
-
-namespace {
 
 void check_node(const ExpressionNode& node, std::size_t place) {
     if (node.operation == Operation::call && node.function >= function_table().size())

@@ -51,8 +51,13 @@ struct Expression {
 // Whether a node gives a truth, not a number.
 bool gives_truth(Operation);
 
-// How many arguments an operation takes; `call` takes as many as its function.
-std::size_t arguments_of(const ExpressionNode&);
+// Calls visit(operand) for every operand, in the order written.
+template <class Visit>
+void each_operand(const Expression& expression, Visit&& visit) {
+    for (const ExpressionNode& node : expression.nodes) {
+        if (node.operation == Operation::operand) visit(node.operand);
+    }
+}
 
 // Whether a `compare` node compares two operands exactly.
 bool compares_exactly(const Expression&, const ExpressionNode&);

@@ -121,6 +121,8 @@ std::vector<double> centres(double origin, std::size_t count) {
 std::vector<std::vector<double>> field_values(const Experiment& experiment, const Extent& extent, Precision precision) {
     if (experiment.fields.empty()) return {};
     Scene scene = scene_of(experiment, extent);
+    std::vector<std::vector<double>> fields;
+    scene.fields = &fields;
     for (std::size_t i = 0; i < experiment.fields.size(); ++i) {
         const PlaceField& field = experiment.fields[i];
         scene.place = static_cast<std::uint32_t>(i);
@@ -130,16 +132,16 @@ std::vector<std::vector<double>> field_values(const Experiment& experiment, cons
                        field.source);
         for (double& value : values) value = in_run(value, precision);
         check(experiment, field, extent, values);
-        scene.fields.push_back(std::move(values));
+        fields.push_back(std::move(values));
     }
-    return std::move(scene.fields);
+    return fields;
 }
 
 // ---- what is computed once
 
 namespace {
 
-// What is known of a part of an expression: the nodes from `first` to the part's own are its own.
+// What is known of a node and all that it is made of.
 struct Part {
     bool of_place = true;  // else it depends on what changes
     bool reads = false;    // the place, not numbers alone

@@ -25,8 +25,9 @@ const std::vector<FunctionFacts>& part_table();
 // The place of a function in the table; nothing where there is none of that name.
 std::optional<std::size_t> function_named(std::string_view name);
 
-// out[i] of columns[0][i], columns[1][i], ... for i < count, as the reference computes it
-// (reference/rules/functions.hpp, where it is defined); T is float or double.
+// out[i] of columns[0][i], columns[1][i], ... for i < count, as the reference computes it (it is defined in
+// reference/rules/functions.cpp); T is float or double. Single precision works with subnormal numbers taken for 0
+// (core/subnormal.hpp); the results are the same where the processor is not told so. out may be one of the columns.
 template <class T>
 void compute_function(std::size_t index, const T* const* columns, std::size_t count, T* out);
 

@@ -60,6 +60,26 @@ struct Operand {
 
 enum class Comparison { equal, not_equal, less, less_equal, greater, greater_equal };
 
+// left COMPARISON right
+template <class T>
+constexpr bool holds(T left, Comparison comparison, T right) {
+    switch (comparison) {
+        case Comparison::equal:
+            return left == right;
+        case Comparison::not_equal:
+            return left != right;
+        case Comparison::less:
+            return left < right;
+        case Comparison::less_equal:
+            return left <= right;
+        case Comparison::greater:
+            return left > right;
+        case Comparison::greater_equal:
+            return left >= right;
+    }
+    return false;
+}
+
 // Truth where the two are compared exactly: a whole quantity with another one or with a written number.
 constexpr bool compared_exactly(const Operand& a, const Operand& b) {
     const bool whole_a = is_whole(a.quantity), whole_b = is_whole(b.quantity);

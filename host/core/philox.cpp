@@ -16,4 +16,12 @@ std::array<std::uint32_t, 4> philox4x32_10(std::array<std::uint32_t, 4> counter,
     return counter;
 }
 
+std::array<std::uint32_t, 4> counted_words(std::size_t cell, std::uint64_t iteration, std::size_t rule,
+                                           std::uint32_t purpose, std::int64_t seed) {
+    const auto key = static_cast<std::uint64_t>(seed);
+    return philox4x32_10({static_cast<std::uint32_t>(cell), static_cast<std::uint32_t>(iteration),
+                          static_cast<std::uint32_t>(rule), purpose},
+                         {static_cast<std::uint32_t>(key), static_cast<std::uint32_t>(key >> 32)});
+}
+
 }  // namespace pelage

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <array>
+#include <cstddef>
 #include <cstdint>
 
 namespace pelage {
@@ -20,6 +21,10 @@ inline constexpr std::uint32_t expansion = 3;
 inline constexpr std::uint32_t field = 4;
 inline constexpr std::uint32_t start = 5;
 }  // namespace purpose
+
+// The words of one draw.
+std::array<std::uint32_t, 4> counted_words(std::size_t cell, std::uint64_t iteration, std::size_t rule,
+                                           std::uint32_t purpose, std::int64_t seed);
 
 // Uniform in [0, 1) from the upper 24 bits: exact in float and double alike.
 template <class T>

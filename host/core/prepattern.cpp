@@ -183,25 +183,31 @@ private:
         return std::nullopt;
     }
 
-    // Those of free cells are computed where the cells are.
-    void add_fields(Scene& scene) const {
+    // Those of a lattice are the same for all expressions, those of free cells are computed where the cells are.
+    const std::vector<std::vector<double>>& fields_for(Scene& scene) {
+        const Space space = space_of(experiment_);
+        if (const auto* lattice = std::get_if<Lattice>(&space)) {
+            scene.columns = lattice->columns;
+            scene.rows = lattice->rows;
+            constexpr Precision precision = std::is_same_v<T, float> ? Precision::single_ : Precision::double_;
+            if (fields_.empty())
+                fields_ =
+                    field_values(experiment_, {lattice->columns, lattice->rows, lattice->x, lattice->y}, precision);
+            return fields_;
+        }
+        fields_.clear();
+        scene.fields = &fields_;
         for (const PlaceField& field : experiment_.fields)
-            scene.fields.push_back(evaluate(std::get<ComputedField>(field.source).expression, scene));
+            fields_.push_back(evaluate(std::get<ComputedField>(field.source).expression, scene));
+        return fields_;
     }
 
     // Of all cells that there are. `nth`: which of the statement's expressions it is, for its draws.
     std::vector<double> values(std::size_t expression, std::uint32_t nth) {
         Scene scene;
-        const Space space = space_of(experiment_);
-        if (const auto* lattice = std::get_if<Lattice>(&space)) {
-            scene.columns = lattice->columns;
-            scene.rows = lattice->rows;
-            scene.fields = field_values(experiment_, {lattice->columns, lattice->rows, lattice->x, lattice->y},
-                                        std::is_same_v<T, float> ? Precision::single_ : Precision::double_);
-        }
         scene.x = state_.x;
         scene.y = state_.y;
-        if (scene.columns == 0) add_fields(scene);
+        scene.fields = &fields_for(scene);
         scene.conc = &state_.conc;
         scene.diff = &state_.diff;
         scene.seed = experiment_.run_seed();
@@ -302,6 +308,7 @@ private:
     Snapshot state_;
     std::size_t place_ = 0;         // of the statement at hand
     std::vector<double> computed_;  // values of a `set`
+    std::vector<std::vector<double>> fields_;
 };
 
 struct Counter {

@@ -33,7 +33,8 @@ public:
             case Quantity::random:
                 return draws(randoms_++);
             case Quantity::field:
-                if (operand.index < scene_.fields.size()) return scene_.fields[operand.index];
+                if (scene_.fields != nullptr && operand.index < scene_.fields->size())
+                    return (*scene_.fields)[operand.index];
                 break;
             case Quantity::concentration:
                 if (scene_.conc != nullptr) return scene_.conc->at(operand.index);
@@ -56,11 +57,8 @@ private:
     }
 
     std::vector<double> draws(std::uint32_t nth) const {
-        const auto key = static_cast<std::uint64_t>(scene_.seed);
         return each([&](std::size_t cell) {
-            const auto words =
-                philox4x32_10({static_cast<std::uint32_t>(cell), 0u, scene_.place, scene_.purpose + 16 * (nth / 4)},
-                              {static_cast<std::uint32_t>(key), static_cast<std::uint32_t>(key >> 32)});
+            const auto words = counted_words(cell, 0, scene_.place, scene_.purpose + 16 * (nth / 4), scene_.seed);
             return unit_uniform<double>(words[nth % 4]);
         });
     }

@@ -14,8 +14,9 @@ struct Scene {
     std::size_t columns = 0;  // 0 for free cells
     std::size_t rows = 0;
     std::vector<double> x, y;
-    std::vector<std::vector<double>> fields;                 // [field][cell], those that may be read
-    const std::vector<std::vector<double>>* conc = nullptr;  // [chemical][cell]; null: may not be read
+    // What may be read; null: none of it.
+    const std::vector<std::vector<double>>* fields = nullptr;  // [field][cell]
+    const std::vector<std::vector<double>>* conc = nullptr;    // [chemical][cell]
     const std::vector<std::vector<double>>* diff = nullptr;
     // Of RANDOM: the key, and two words of the counter; the others are the cell's id and 0.
     std::int64_t seed = 1;

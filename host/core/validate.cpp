@@ -102,15 +102,14 @@ private:
     }
     void check_field(const ComputedField& field, std::size_t place) const {
         check_expression(field.expression);
-        for (const ExpressionNode& node : field.expression.nodes) {
-            if (node.operation != Operation::operand) continue;
-            check_operand(node.operand);
-            if (!seen_by_field(node.operand.quantity)) fail("a field reads what changes from iteration to iteration");
-            if (node.operand.quantity == Quantity::field && node.operand.index >= place)
+        each_operand(field.expression, [&](const Operand& part) {
+            check_operand(part);
+            if (!seen_by_field(part.quantity)) fail("a field reads what changes from iteration to iteration");
+            if (part.quantity == Quantity::field && part.index >= place)
                 fail("a field reads one that is defined after it");
-            if (node.operand.quantity == Quantity::random && lattice() == nullptr)
+            if (part.quantity == Quantity::random && lattice() == nullptr)
                 fail("a field of free cells cannot be drawn; RANDOM in a field needs a lattice");
-        }
+        });
     }
     void check_field(const PictureField&, std::size_t) const {
         if (lattice() == nullptr) fail("a field from a picture needs a lattice; these are free cells");
@@ -140,7 +139,8 @@ private:
                 if (operand.index >= experiment_.fields.size()) fail("a rule reads a field that is not defined");
                 break;
             case Quantity::expression:
-                check_expression_at(operand.index);
+                each_operand(checked_expression(operand.index, "a rule"),
+                             [&](const Operand& part) { check_operand(part); });
                 break;
             case Quantity::row:
             case Quantity::column:
@@ -151,15 +151,6 @@ private:
                 break;
             default:
                 break;
-        }
-    }
-
-    void check_expression_at(std::size_t index) const {
-        if (index >= experiment_.expressions.size()) fail("a rule reads an expression that is not defined");
-        const Expression& expression = experiment_.expressions[index];
-        check_expression(expression);
-        for (const ExpressionNode& node : expression.nodes) {
-            if (node.operation == Operation::operand) check_operand(node.operand);
         }
     }
 

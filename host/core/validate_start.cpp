@@ -34,17 +34,13 @@ public:
     }
 
 private:
-    void check_expression_at(std::size_t index) const {
-        if (index >= experiment_.expressions.size()) fail("a start reads an expression that is not defined");
-        const Expression& expression = experiment_.expressions[index];
-        check_expression(expression);
-        for (const ExpressionNode& node : expression.nodes) {
-            if (node.operation == Operation::operand && !seen_at_start(node.operand.quantity))
-                fail("a start reads what there is in rules alone");
-        }
+    void check_start(std::size_t expression) const {
+        each_operand(checked_expression(expression, "a start"), [&](const Operand& part) {
+            if (!seen_at_start(part.quantity)) fail("a start reads what there is in rules alone");
+        });
     }
     void check_spread(const Spread& spread, const char* what) const {
-        if (spread.expression) check_expression_at(*spread.expression);
+        if (spread.expression) check_start(*spread.expression);
         if (spread.expression && spread.deviation != 0.0) fail("an expression takes no deviation");
         check_number(spread.value, what);
         check_deviation(spread.deviation);
@@ -75,7 +71,7 @@ private:
     }
     void check_statement(const CreateShape& shape) const { check_place(shape.x, shape.y); }
     void check_statement(const SetCells& set) const {
-        if (set.where) check_expression_at(*set.where);
+        if (set.where) check_start(*set.where);
         std::visit(Overloaded{[&](const SetConcentration& conc) {
                                   check_chemical(conc.chemical, "a `set`");
                                   check_spread(conc.value, "a concentration");

@@ -3,13 +3,12 @@
 
 #include "core/evaluate.hpp"
 #include "core/functions.hpp"
+#include "language/pieces.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <array>
-#include <cctype>
-#include <charconv>
 #include <cmath>
 #include <limits>
 #include <numbers>
@@ -18,79 +17,8 @@ namespace pelage::language {
 
 namespace {
 
-constexpr int deepest = 100;  // parentheses in parentheses
-constexpr std::array<std::string_view, 5> own_words{"if", "and", "or", "not", "PI"};
-
-bool starts_name(char c) { return std::isalpha(static_cast<unsigned char>(c)) != 0 || c == '_'; }
-bool in_name(char c) { return std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '_'; }
-bool digit(char c) { return c >= '0' && c <= '9'; }
-
-// What an expression is made of: numbers, names, operators, parentheses and commas.
-class Pieces {
-public:
-    Pieces(const Cursor& cursor, const Token& expression, const Names& names)
-        : cursor_(cursor), text_(expression.text), offset_(expression.offset), names_(names) {
-        advance();
-    }
-
-    const Token& now() const { return now_; }
-    bool done() const { return now_.text.empty(); }
-
-    // Passes this operator or word where it comes next.
-    bool take(std::string_view wanted) {
-        if (now_.text != wanted) return false;
-        advance();
-        return true;
-    }
-    Token next() {
-        const Token token = now_;
-        advance();
-        return token;
-    }
-    [[noreturn]] void fail(const Token& at, std::string_view what) const { cursor_.fail(at, what); }
-
-private:
-    void advance() {
-        while (at_ < text_.size() && (text_[at_] == ' ' || text_[at_] == '\t')) ++at_;
-        const std::size_t first = at_;
-        if (at_ < text_.size()) at_ += length(text_.substr(at_));
-        now_ = {text_.substr(first, at_ - first), offset_ + first, false};
-    }
-
-    std::size_t length(std::string_view rest) const {
-        if (digit(rest[0]) || (rest[0] == '.' && rest.size() > 1 && digit(rest[1]))) return number_length(rest);
-        if (starts_name(rest[0])) return name_length(rest);
-        for (const std::string_view two : {"==", "!=", "<=", ">=", "&&", "||", "**"}) {
-            if (rest.starts_with(two)) return 2;
-        }
-        return 1;
-    }
-
-    static std::size_t number_length(std::string_view rest) {
-        double value = 0.0;
-        const auto [end, error] = std::from_chars(rest.data(), rest.data() + rest.size(), value);
-        return std::max<std::size_t>(1, static_cast<std::size_t>(end - rest.data()));
-    }
-
-    // A name may have a minus in it: the longest one that is known is meant.
-    std::size_t name_length(std::string_view rest) const {
-        std::size_t end = 0;
-        while (end < rest.size() && in_name(rest[end])) ++end;
-        std::size_t best = end;
-        for (std::size_t more = end; more < rest.size() && (in_name(rest[more]) || rest[more] == '-'); ++more) {
-            const bool ends = more + 1 == rest.size() || !in_name(rest[more + 1]);
-            if (ends && names_.find({rest.substr(0, more + 1), 0, false})) best = more + 1;
-        }
-        return best;
-    }
-
-    const Cursor& cursor_;
-    std::string_view text_;
-    std::size_t offset_;
-    const Names& names_;
-    std::size_t at_ = 0;
-    Token now_;
-};
+constexpr int deepest = 100;                                                          // parentheses in parentheses
+constexpr std::array<std::string_view, 5> own_words{"if", "and", "or", "not", "PI"};  // mean something here alone
 
 class Reader {
 public:
@@ -244,7 +172,7 @@ private:
         if (pieces_.done()) pieces_.fail(at, "the expression ends too early; a value is missing here");
         if (pieces_.take("(")) return closed(at);
         const char first = at.text[0];
-        if (digit(first) || first == '.') return number();
+        if (is_digit(first) || first == '.') return number();
         if (starts_name(first)) return named();
         pieces_.fail(at, fmt::format("{} cannot stand here; a value must: a number, a name, a function or '('{}",
                                      shown(at), hint(at.text)));
@@ -433,7 +361,5 @@ bool is_expression(const Token& token) { return !token.quoted && token.text.star
 Expression read_expression(const Cursor& cursor, const Token& token, const Names& names) {
     return Reader(cursor, token, names).read();
 }
-
-std::vector<std::string_view> words_of_expressions() { return {own_words.begin(), own_words.end()}; }
 
 }  // namespace pelage::language

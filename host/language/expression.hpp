@@ -31,7 +31,4 @@ bool is_expression(const Token&);
 // expression.
 Expression read_expression(const Cursor&, const Token&, const Names&);
 
-// Words that mean something in expressions alone: if, and, or, not, PI.
-std::vector<std::string_view> words_of_expressions();
-
 }  // namespace pelage::language

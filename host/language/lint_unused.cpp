@@ -1,11 +1,11 @@
 // Lints of what is described and not needed: chemicals, mappings, colours, pictures.
 #include "language/expression.hpp"
 #include "language/lints.hpp"
+#include "language/pieces.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cctype>
 #include <set>
 
 namespace pelage::language {
@@ -27,7 +27,7 @@ public:
 private:
     void read(const Operand& operand) {
         if (operand.quantity == Quantity::expression) {
-            for (const ExpressionNode& node : experiment_.expressions[operand.index].nodes) read(node.operand);
+            each_operand(experiment_.expressions[operand.index], [&](const Operand& part) { read(part); });
         }
         if (operand.quantity == Quantity::mapping) mappings.insert(operand.index);
         if (operand.quantity == Quantity::concentration || operand.quantity == Quantity::rate)
@@ -151,9 +151,7 @@ void find_equal_outputs(const Sheet& sheet, Reporter& report) {
 
 // Whether the name stands in the text, with nothing before or behind that would make it another one.
 bool names_word(std::string_view text, std::string_view name) {
-    const auto part = [&](std::size_t at) {
-        return at < text.size() && (std::isalnum(static_cast<unsigned char>(text[at])) != 0 || text[at] == '_');
-    };
+    const auto part = [&](std::size_t at) { return at < text.size() && in_name(text[at]); };
     for (std::size_t at = text.find(name); at != std::string_view::npos; at = text.find(name, at + 1)) {
         if ((at == 0 || !part(at - 1)) && !part(at + name.size())) return true;
     }

@@ -68,7 +68,7 @@ std::vector<T> in_reference(std::size_t index, const Arguments<T>& arguments) {
     const SubnormalsAreZero scope(sizeof(T) == sizeof(float));
     const std::array<const T*, 3> columns{arguments[0].data(), arguments[1].data(), arguments[2].data()};
     std::vector<T> expected(arguments[0].size());
-    reference::apply_function(index, columns.data(), expected.size(), expected.data());
+    compute_function(index, columns.data(), expected.size(), expected.data());
     return expected;
 }
 

@@ -37,15 +37,8 @@ T apply_function(std::size_t index, const T* arguments) {
     return Entries<T, Functions>::one.at(index)(arguments);
 }
 
-template <class T>
-void apply_function(std::size_t index, const T* const* columns, std::size_t count, T* out) {
-    Entries<T, Functions>::column.at(index)(columns, count, out);
-}
-
 template float apply_function(std::size_t, const float*);
 template double apply_function(std::size_t, const double*);
-template void apply_function(std::size_t, const float* const*, std::size_t, float*);
-template void apply_function(std::size_t, const double* const*, std::size_t, double*);
 
 }  // namespace pelage::reference
 
@@ -53,7 +46,7 @@ namespace pelage {
 
 template <class T>
 void compute_function(std::size_t index, const T* const* columns, std::size_t count, T* out) {
-    reference::apply_function<T>(index, columns, count, out);
+    reference::Entries<T, reference::Functions>::column.at(index)(columns, count, out);
 }
 
 template void compute_function(std::size_t, const float* const*, std::size_t, float*);

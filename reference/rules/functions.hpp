@@ -10,8 +10,6 @@ namespace pelage::reference {
 template <class T>
 T apply_function(std::size_t index, const T* arguments);
 
-// out[i] of columns[0][i], columns[1][i], ... for i < count; out may be one of the columns.
-template <class T>
-void apply_function(std::size_t index, const T* const* columns, std::size_t count, T* out);
+// For whole columns: compute_function() of core/functions.hpp.
 
 }  // namespace pelage::reference

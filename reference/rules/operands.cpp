@@ -11,14 +11,6 @@ namespace pelage::reference {
 
 namespace {
 
-std::array<std::uint32_t, 4> words(std::size_t cell, std::uint64_t iteration, std::size_t rule, std::uint32_t purpose,
-                                   std::int64_t seed) {
-    const auto key = static_cast<std::uint64_t>(seed);
-    return philox4x32_10({static_cast<std::uint32_t>(cell), static_cast<std::uint32_t>(iteration),
-                          static_cast<std::uint32_t>(rule), purpose},
-                         {static_cast<std::uint32_t>(key), static_cast<std::uint32_t>(key >> 32)});
-}
-
 template <class T, class F>
 Column<T> of_each(std::size_t cells, F&& value_of) {
     std::vector<T> values(cells);
@@ -30,7 +22,7 @@ Column<T> of_each(std::size_t cells, F&& value_of) {
 
 template <class T>
 T draw(const Sight<T>& sight, std::size_t cell, std::uint32_t purpose) {
-    return unit_uniform<T>(words(cell, sight.iteration, sight.rule, purpose, sight.seed)[0]);
+    return unit_uniform<T>(counted_words(cell, sight.iteration, sight.rule, purpose, sight.seed)[0]);
 }
 
 // A whole quantity as numbers of type N.
@@ -74,7 +66,7 @@ Column<T> Sight<T>::column(const Operand& operand) {
             const std::uint32_t nth = randoms++;
             const std::uint32_t purpose = purpose::operand + 16 * (nth / 4);
             return of_each<T>(old.cells(), [&](auto cell) {
-                return unit_uniform<T>(words(cell, iteration, rule, purpose, seed)[nth % 4]);
+                return unit_uniform<T>(counted_words(cell, iteration, rule, purpose, seed)[nth % 4]);
             });
         }
         case Quantity::concentration:

@@ -15,25 +15,6 @@ namespace pelage::reference {
 namespace {
 
 template <class T>
-bool holds(T left, Comparison comparison, T right) {
-    switch (comparison) {
-        case Comparison::equal:
-            return left == right;
-        case Comparison::not_equal:
-            return left != right;
-        case Comparison::less:
-            return left < right;
-        case Comparison::less_equal:
-            return left <= right;
-        case Comparison::greater:
-            return left > right;
-        case Comparison::greater_equal:
-            return left >= right;
-    }
-    return false;
-}
-
-template <class T>
 struct Judge {  // narrows truth to the cells where a condition holds
     Sight<T>& sight;
     std::vector<std::uint8_t>& truth;

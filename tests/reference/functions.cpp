@@ -52,7 +52,7 @@ std::vector<T> column(std::size_t function, const verify::Arguments<T>& argument
     const SubnormalsAreZero scope(flush);
     const std::array<const T*, 3> columns{arguments[0].data(), arguments[1].data(), arguments[2].data()};
     std::vector<T> found(arguments[0].size());
-    reference::apply_function(function, columns.data(), found.size(), found.data());
+    compute_function(function, columns.data(), found.size(), found.data());
     return found;
 }
 

@@ -24,9 +24,7 @@ namespace {
 
 Array small_array(std::size_t strength) {
     const auto any = [](const Choice&, const Choice&) { return true; };
-    return {{{"a", {"0", "1", "2"}}, {"b", {"0", "1"}}, {"c", {"0", "1", "2", "3"}}, {"d", {"0", "1"}}},
-            strength,
-            any};
+    return {{{"a", {"0", "1", "2"}}, {"b", {"0", "1"}}, {"c", {"0", "1", "2", "3"}}, {"d", {"0", "1"}}}, strength, any};
 }
 
 std::vector<ArrayRow> all_rows(Realm realm) {

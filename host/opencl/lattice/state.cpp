@@ -69,12 +69,16 @@ LatticeState::LatticeState(const Session& session, const Experiment& experiment,
     x_ = rounded(x_, session.is_double());
     y_ = rounded(y_, session.is_double());
     upload_places();
-    upload_fields();
+    fields();  // what is wrong with them shows before the run
 }
 
-void LatticeState::upload_fields() {
-    const Precision precision = session_.is_double() ? Precision::double_ : Precision::single_;
-    fields_.upload(grid_, field_values(experiment_, {grid_.columns, grid_.rows, origin_x_, origin_y_}, precision));
+Planes& LatticeState::fields() {
+    if (fields_stale_) {
+        const Precision precision = session_.is_double() ? Precision::double_ : Precision::single_;
+        fields_.upload(grid_, field_values(experiment_, {grid_.columns, grid_.rows, origin_x_, origin_y_}, precision));
+        fields_stale_ = false;
+    }
+    return fields_;
 }
 
 void LatticeState::upload_places() {
@@ -131,7 +135,7 @@ void LatticeState::lay_out(const Grid& grid) {
     x_ = rounded(centres(origin_x_, grid_.columns), session_.is_double());
     y_ = rounded(centres(origin_y_, grid_.rows), session_.is_double());
     upload_places();
-    upload_fields();
+    fields_stale_ = true;  // an expansion comes column by column: they are computed when a step asks for them
 }
 
 void LatticeState::expand(const Insertion& insertion, std::uint64_t iteration) {

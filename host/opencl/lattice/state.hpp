@@ -28,7 +28,7 @@ public:
     Planes& mappings() { return mappings_; }
     Planes& birth() { return birth_; }                    // empty unless rules read it
     Planes& neighbours() { return neighbours_; }          // empty unless rules read it
-    Planes& fields() { return fields_; }                  // Experiment::fields
+    Planes& fields();                                     // Experiment::fields, of the present size
     const cl::Buffer& places() const { return places_; }  // x of columns, padded to a pitch, then y of rows
 
     double uniform_rate(std::size_t chemical) const { return uniform_rates_[chemical]; }
@@ -49,7 +49,6 @@ private:
     void forget_counts();  // before a change of size
     void lay_out(const Grid&);
     void upload_places();
-    void upload_fields();
     std::vector<std::int32_t> count_neighbours() const;
 
     const Session& session_;
@@ -64,6 +63,7 @@ private:
     Planes birth_;
     Planes neighbours_;
     Planes fields_;
+    bool fields_stale_ = true;  // they are of another size
     PlaneExpander expander_;
     PlaneResampler resampler_;
     cl::Buffer places_;
