@@ -16,9 +16,11 @@
 #include <CLI/Formatter.hpp>
 #include <nlohmann/json.hpp>
 
+#include <algorithm>
 #include <cstdio>
 #include <memory>
 #include <string>
+#include <string_view>
 #include <variant>
 #include <vector>
 
@@ -49,13 +51,19 @@ Experiment read_checked(const std::string& file, const CheckOptions& options, Ou
     return read_experiment(file, outline, StartPictures::read, settings_of(options.settings));
 }
 
+// Statements that begin so. An experiment may have more chemicals and rules: previous() adds some.
+std::size_t count(const Outline& outline, std::string_view words) {
+    return static_cast<std::size_t>(std::ranges::count_if(
+        outline.statements, [&](const Outline::Statement& one) { return one.what.starts_with(words); }));
+}
+
 // How many warnings there are.
 std::size_t check_file(const std::string& file, const CheckOptions& options) {
     Outline outline;
     const Experiment experiment = read_checked(file, options, &outline);
     const std::vector<Warning> warnings = lint(experiment, outline, experiment.last_iteration());
     say("{}: ok: {}, {}, {}, {}{}\n", experiment.source, counted(count_cells(experiment), "cell"),
-        counted(experiment.chemicals.size(), "chemical"), counted(experiment.rules.size(), "rule"),
+        counted(count(outline, "define chemical"), "chemical"), counted(count(outline, "rule"), "rule"),
         counted(experiment.last_iteration(), "iteration"),
         warnings.empty() ? "" : "; " + counted(warnings.size(), "warning"));
     send();  // the warnings come after the line of their file

@@ -106,10 +106,12 @@ void Recorder::results(const Snapshot& state) { write(state, "final", {}, option
 
 void Recorder::settle() {
     result_options_.ranged_only = true;  // the reel knows no more
-    reel_.redraw([this](const Snapshot& state, const SharedRanges& ranges) {
+    reel_.redraw([this](const Snapshot& state, const SharedRanges& ranges, const OutputValues& values) {
+        result_options_.values = values;
         write(state, std::to_string(state.iteration), ranges, {Format::png});
     });
     result_options_.ranged_only = false;
+    result_options_.values.clear();
     reel_.discard();
 }
 

@@ -1,9 +1,10 @@
 // See reel.hpp. The file: the run's identity; then for each state iteration, columns, rows, cells (uint64), the
-// lattice's centre (two doubles) and the arrays as floats.
+// lattice's centre (two doubles), the arrays and the values of outputs that are computed, as floats.
 #include "app/reel.hpp"
 
 #include "core/columns.hpp"
 #include "core/error.hpp"
+#include "io/drawn.hpp"
 #include "io/file_bytes.hpp"
 
 #include <fmt/format.h>
@@ -19,9 +20,11 @@ namespace {
 
 namespace fs = std::filesystem;
 
-bool shared(const Output& output) { return !output.range && !output.own_range && output.drawing != Drawing::normal; }
+bool shared(const Output& output) {
+    return !output.range && !output.own_range && output.drawing != Drawing::normal && !output.rgb();
+}
 
-// The arrays that pictures need, in the file's order: places, polarity, and the outputs' chemicals.
+// The state's arrays that pictures need, in the file's order: places, polarity, and the outputs' chemicals.
 template <class State>
 auto columns_of(State& state, const Experiment& experiment) {
     std::vector<decltype(&state.x)> columns;
@@ -29,7 +32,8 @@ auto columns_of(State& state, const Experiment& experiment) {
     if (!state.lattice()) columns.insert(columns.end(), {&state.polarity_x, &state.polarity_y});
     std::set<std::size_t> chemicals;
     for (const Output& output : experiment.outputs) {
-        if (shared(output) && chemicals.insert(output.chemical).second) columns.push_back(&state.conc[output.chemical]);
+        if (shared(output) && output.expressions.empty() && chemicals.insert(output.chemical).second)
+            columns.push_back(&state.conc[output.chemical]);
     }
     return columns;
 }
@@ -37,6 +41,12 @@ auto columns_of(State& state, const Experiment& experiment) {
 template <class T>
 bool read_values(std::FILE* file, std::vector<T>& values) {
     return std::fread(values.data(), sizeof(T), values.size(), file) == values.size();
+}
+
+bool write_values(std::FILE* file, const std::vector<double>& column) {
+    std::vector<float> values(column.size());
+    std::ranges::transform(column, values.begin(), [](double value) { return static_cast<float>(value); });
+    return std::fwrite(values.data(), sizeof(float), values.size(), file) == values.size();
 }
 
 }  // namespace
@@ -68,9 +78,9 @@ void Reel::take_up(std::uint64_t resumed_at) {
     if (read_values(file_.get(), identity) && std::equal(identity.begin(), identity.end(), identity_.begin())) {
         end = std::ftell(file_.get());
         while (const auto state = read_record()) {
-            if (state->iteration > resumed_at) break;
-            widen(*state);
-            records_.push_back({state->iteration, end, ranges_});
+            if (state->state.iteration > resumed_at) break;
+            widen(state->state, state->values);
+            records_.push_back({state->state.iteration, end, ranges_});
             end = std::ftell(file_.get());
         }
     }
@@ -81,7 +91,7 @@ void Reel::take_up(std::uint64_t resumed_at) {
     if (!records_.empty()) open(false);
 }
 
-std::optional<Snapshot> Reel::read_record() {
+std::optional<Reel::Frame> Reel::read_record() {
     std::array<std::uint64_t, 4> shape{};
     std::array<double, 2> centre{};
     if (std::fread(shape.data(), sizeof shape, 1, file_.get()) != 1) return std::nullopt;
@@ -102,46 +112,68 @@ std::optional<Snapshot> Reel::read_record() {
         if (!read_values(file_.get(), values)) return std::nullopt;
         column->assign(values.begin(), values.end());
     }
-    return state;
+    OutputValues computed(experiment_.outputs.size());
+    for (std::size_t i = 0; i < computed.size(); ++i) {
+        if (!computes(i)) continue;
+        if (!read_values(file_.get(), values)) return std::nullopt;
+        computed[i].emplace(values.begin(), values.end());
+    }
+    return Frame{std::move(state), std::move(computed)};
 }
 
-void Reel::write_record(const Snapshot& state) {
+bool Reel::computes(std::size_t output) const {
+    return shared(experiment_.outputs[output]) && !experiment_.outputs[output].expressions.empty();
+}
+
+OutputValues Reel::computed(const Snapshot& state) const {
+    OutputValues values(experiment_.outputs.size());
+    for (std::size_t i = 0; i < values.size(); ++i) {
+        if (!computes(i)) continue;
+        const Drawn drawn(experiment_, experiment_.outputs[i], i, state);
+        values[i].emplace(drawn.values().begin(), drawn.values().end());
+    }
+    return values;
+}
+
+void Reel::write_record(const Snapshot& state, const OutputValues& computed) {
     const std::array<std::uint64_t, 4> shape{state.iteration, state.columns, state.rows, state.cells()};
     const std::array<double, 2> centre{state.origin_x, state.origin_y};
     if (std::fseek(file_.get(), 0, SEEK_END) != 0) fail();
     records_.push_back({state.iteration, std::ftell(file_.get()), ranges_});
     if (std::fwrite(shape.data(), sizeof shape, 1, file_.get()) != 1) fail();
     if (std::fwrite(centre.data(), sizeof centre, 1, file_.get()) != 1) fail();
-    std::vector<float> values(state.cells());
     for (const auto* column : columns_of(state, experiment_)) {
-        std::transform(column->begin(), column->end(), values.begin(),
-                       [](double value) { return static_cast<float>(value); });
-        if (std::fwrite(values.data(), sizeof(float), values.size(), file_.get()) != values.size()) fail();
+        if (!write_values(file_.get(), *column)) fail();
+    }
+    for (const auto& column : computed) {
+        if (column && !write_values(file_.get(), *column)) fail();
     }
     if (std::fflush(file_.get()) != 0) fail();
 }
 
-void Reel::widen(const Snapshot& state) {
+void Reel::widen(const Snapshot& state, const OutputValues& computed) {
     for (std::size_t i = 0; i < ranges_.size(); ++i) {
-        if (ranges_[i]) ranges_[i]->widen(range_of(state.conc[experiment_.outputs[i].chemical]));
+        if (!ranges_[i]) continue;
+        ranges_[i]->widen(range_of(computed[i] ? *computed[i] : state.conc[experiment_.outputs[i].chemical]));
     }
 }
 
 SharedRanges Reel::keep(const Snapshot& state) {
     if (!shares()) return ranges_;
-    widen(state);
+    const OutputValues values = computed(state);
+    widen(state, values);
     if (!file_) open(true);
-    write_record(state);
+    write_record(state, values);
     return ranges_;
 }
 
-void Reel::redraw(const std::function<void(const Snapshot&, const SharedRanges&)>& draw) {
+void Reel::redraw(const Draw& draw) {
     for (Record& record : records_) {
         if (record.drawn == ranges_) continue;
-        std::optional<Snapshot> state;
+        std::optional<Frame> state;
         if (std::fseek(file_.get(), record.begin, SEEK_SET) == 0) state = read_record();
         if (!state) throw Error(fmt::format("cannot read '{}' again", path_.string()));
-        draw(*state, ranges_);
+        draw(state->state, ranges_, state->values);
         record.drawn = ranges_;
     }
 }

@@ -21,6 +21,9 @@ namespace pelage::app {
 // For each output the range that its snapshots share; empty: it has its own.
 using SharedRanges = std::vector<std::optional<ValueRange>>;
 
+// For each output the values that it draws, one a cell; empty: they stand in the state.
+using OutputValues = std::vector<std::optional<std::vector<double>>>;
+
 inline constexpr const char* reel_name = ".pelage-reel";
 
 // A hidden file in the run's folder. Only what pictures need is kept, in single precision.
@@ -35,7 +38,8 @@ public:
 
     // Shows each state whose pictures have been drawn in other ranges than the last ones, with those. Only the arrays
     // that pictures need are filled in; the others are 0.
-    void redraw(const std::function<void(const Snapshot&, const SharedRanges&)>& draw);
+    using Draw = std::function<void(const Snapshot&, const SharedRanges&, const OutputValues&)>;
+    void redraw(const Draw&);
 
     // Whether all pictures from that iteration can be drawn anew, as far as that is wanted.
     bool can_redraw(std::uint64_t iteration) const;
@@ -48,6 +52,10 @@ private:
         long begin = 0;
         SharedRanges drawn;
     };
+    struct Frame {
+        Snapshot state;
+        OutputValues values;
+    };
     struct Close {
         void operator()(std::FILE* file) const { std::fclose(file); }
     };
@@ -55,9 +63,11 @@ private:
     bool shares() const;
     void open(bool anew);
     void take_up(std::uint64_t resumed_at);
-    std::optional<Snapshot> read_record();
-    void write_record(const Snapshot&);
-    void widen(const Snapshot&);
+    bool computes(std::size_t output) const;
+    OutputValues computed(const Snapshot&) const;
+    std::optional<Frame> read_record();
+    void write_record(const Snapshot&, const OutputValues&);
+    void widen(const Snapshot&, const OutputValues&);
     [[noreturn]] void fail() const;
 
     std::filesystem::path path_;

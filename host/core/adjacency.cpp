@@ -16,17 +16,6 @@ std::optional<std::size_t> step(std::size_t place, int offset, std::size_t count
     return offset < 0 ? count - 1 : 0;
 }
 
-double share(Stencil stencil, bool diagonal) {
-    switch (stencil) {
-        case Stencil::nine_point:
-            return diagonal ? 1.0 / 6 : 4.0 / 6;
-        case Stencil::sims:
-            return diagonal ? 0.05 : 0.2;
-        default:
-            return 1.0;
-    }
-}
-
 // The entry for the neighbour of (column, row) in that direction, if there is one.
 void add(LatticeAdjacency& made, const Lattice& lattice, std::size_t column, std::size_t row, Direction to) {
     const bool diagonal = to.up != 0 && to.right != 0;
@@ -37,11 +26,22 @@ void add(LatticeAdjacency& made, const Lattice& lattice, std::size_t column, std
     if (outside && lattice.boundary != Boundary::absorbing) return;
     made.indices.push_back(outside ? Adjacency::nobody
                                    : static_cast<std::uint32_t>(*there * lattice.columns + *across));
-    made.weights.push_back(share(lattice.stencil, diagonal));
+    made.weights.push_back(neighbour_share(lattice.stencil, diagonal));
     made.directions.push_back(to);
 }
 
 }  // namespace
+
+double neighbour_share(Stencil stencil, bool diagonal) {
+    switch (stencil) {
+        case Stencil::nine_point:
+            return diagonal ? 1.0 / 6 : 4.0 / 6;
+        case Stencil::sims:
+            return diagonal ? 0.05 : 0.2;
+        default:
+            return 1.0;
+    }
+}
 
 std::vector<int> row_order(const Lattice& lattice, std::size_t row) {
     if (lattice.arithmetic == Arithmetic::published && lattice.boundary != Boundary::wrap) {

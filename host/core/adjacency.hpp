@@ -32,6 +32,9 @@ struct LatticeAdjacency : Adjacency {
     std::vector<Direction> directions;  // one an entry
 };
 
+// A neighbour's weight in a stencil; five_point has no diagonal ones.
+double neighbour_share(Stencil, bool diagonal);
+
 // The eight neighbours of each cell, or four under five_point; beyond an edge that lets nothing through there is none.
 LatticeAdjacency lattice_adjacency(const Lattice&);
 

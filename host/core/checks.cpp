@@ -11,7 +11,7 @@
 namespace pelage {
 
 void Checks::fail(const std::string& what) const {
-    const std::string where = line_ == 0 ? experiment_.source : fmt::format("{}:{}", experiment_.source, line_);
+    const std::string where = line_ == 0 ? experiment_.source : experiment_.where(line_);
     throw Error(where + ": " + what);
 }
 

@@ -307,6 +307,11 @@ struct Output {  // one picture
     bool own_range = false;                      // of each picture; else all snapshots of a run share theirs
     Drawing drawing = Drawing::colours;
     double strength = 1.0;  // of a normal map
+    // Drawn instead of the chemical: one, or three that are red, green and blue of 0 to 1, without colormap and range.
+    std::vector<Expression> expressions = {};
+    std::string name = {};  // of the file, where the experiment gives one
+
+    bool rgb() const { return expressions.size() == 3; }
 };
 
 struct InputFile {       // a picture, an array or a shape that the experiment starts from
@@ -314,10 +319,17 @@ struct InputFile {       // a picture, an array or a shape that the experiment s
     std::string sha256;  // of its bytes; empty: it was not read, as a resumed run does not need it
 };
 
+struct IncludedLines {      // of Experiment::text, from another file; in order, those of a file before those within it
+    std::size_t first = 0;  // line of the text
+    std::size_t last = 0;   // inclusive; 0: not known yet
+    std::size_t by = 0;     // line of the text that includes them
+    std::string file;       // as that line says it
+};
+
 struct Experiment {
     std::string source = "(built by hand)";  // file name, for messages
-    std::string text;                        // the file's whole text, kept with results, with the parameters as set
-    std::vector<Parameter> parameters;       // for who wants to know: their values stand where they were named
+    std::string text;  // the file's whole text and all it includes, kept with results, with the parameters as set
+    std::vector<Parameter> parameters;  // for who wants to know: their values stand where they were named
 
     std::vector<Chemical> chemicals;
     std::vector<std::string> mappings;
@@ -337,12 +349,15 @@ struct Experiment {
 
     std::vector<Output> outputs;  // at least one of colours: the first of those is final.png
     std::vector<InputFile> inputs;
+    std::vector<IncludedLines> included;
     std::optional<std::array<std::size_t, 2>> texture;
     double zoom = 1.0;
 
     std::optional<std::int64_t> seed;  // overrides every `use seed`
 
     std::size_t chemical(const std::string& name) const;  // throws Error naming those defined
+    // For messages: "cow.pex:3", or of an included line "cow.pex:3: in disc.pex:5".
+    std::string where(std::size_t line) const;
     const Phase& phase_at(std::uint64_t iteration) const;
     std::uint64_t last_iteration() const;           // where a whole run ends
     double time_at(std::uint64_t iteration) const;  // the time steps of all iterations before it, added up
@@ -350,6 +365,9 @@ struct Experiment {
     // the clock and settle_seed() of core/seed.hpp has not been called.
     std::int64_t run_seed() const;
 };
+
+// The word for it in names of files: the name that the experiment gives, the chemical's, "rgb" or "formula".
+std::string output_name(const Experiment&, const Output&);
 
 // Throws Error when an experiment cannot mean anything: no cells, an index out of range, a duplicate name,
 // unsorted phases, more cells than largest_cell_count, a number that is not finite, a time step that is 0 in float, a

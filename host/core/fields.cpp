@@ -100,8 +100,8 @@ void check(const Experiment& experiment, const PlaceField& field, const Extent& 
     if (field.name.empty()) return;
     for (std::size_t cell = 0; cell < values.size(); ++cell) {
         if (std::isfinite(values[cell])) continue;
-        throw Error(fmt::format("{}:{}: field '{}' is {} in column {}, row {}; it must be a number everywhere",
-                                experiment.source, field.line, field.name,
+        throw Error(fmt::format("{}: field '{}' is {} in column {}, row {}; it must be a number everywhere",
+                                experiment.where(field.line), field.name,
                                 std::isnan(values[cell]) ? "no number" : "infinite", cell % extent.columns,
                                 cell / extent.columns));
     }

@@ -17,9 +17,11 @@ inline constexpr std::uint32_t deviation = 1;  // Change, Divide, Move
 inline constexpr std::uint32_t operand =
     2;  // RANDOM; the n-th of one rule (from 0) uses word n % 4 of operand + 16 * (n / 4)
 inline constexpr std::uint32_t expansion = 3;
-// RANDOM outside rules, counted as in rules; in place of the rule stands that of the field or the statement.
+// RANDOM outside rules, counted as in rules; in place of the rule stands that of the field, the statement or the
+// picture.
 inline constexpr std::uint32_t field = 4;
 inline constexpr std::uint32_t start = 5;
+inline constexpr std::uint32_t output = 6;
 }  // namespace purpose
 
 // The words of one draw.

@@ -226,32 +226,39 @@ private:
             values(*spread.expression, static_cast<std::uint32_t>(2 * chemical + (rate ? 1 : 0)));
         std::vector<double>& column = (rate ? state_.diff : state_.conc)[chemical];
         for (std::size_t cell = first; cell < column.size(); ++cell) {
-            judge(chemical, rate, found[cell], cell);
+            judge(*spread.expression, chemical, rate, found[cell], cell);
             column[cell] = found[cell];
         }
     }
 
     // What an expression gives must lie within the bounds of the first phase, a rate not below 0.
-    void judge(std::size_t chemical, bool rate, double value, std::size_t cell) const {
+    void judge(std::size_t expression, std::size_t chemical, bool rate, double value, std::size_t cell) const {
         Bounds allowed;
         if (!rate) {
             const Bounds& bounds = experiment_.phases.front().bounds[chemical];
             allowed = {double{in_precision<T>(bounds.floor)}, double{in_precision<T>(bounds.limit)}};
         }
         if (value >= allowed.floor && value <= allowed.limit && std::isfinite(value)) return;
-        refuse(chemical, cell, rate ? "diffusion rate" : "concentration", value, allowed);
+        refuse(experiment_.expressions[expression].line, chemical, cell, rate ? "diffusion rate" : "concentration",
+               value, allowed);
     }
-    [[noreturn]] void refuse(std::size_t chemical, std::size_t cell, const char* what, double found,
+    static std::string interval(const Bounds& allowed) {
+        const bool low = std::isfinite(allowed.floor), high = std::isfinite(allowed.limit);
+        if (low && high) return fmt::format("a number from {} to {}", allowed.floor, allowed.limit);
+        if (low) return fmt::format("a number not below {}", allowed.floor);
+        return high ? fmt::format("a number not above {}", allowed.limit) : "a finite number";
+    }
+    [[noreturn]] void refuse(std::size_t line, std::size_t chemical, std::size_t cell, const char* what, double found,
                              const Bounds& allowed) const {
-        throw Error(fmt::format(
-            "{}: an expression starts '{}' with the {} {:.9g} in cell {}; it must be a number from {} "
-            "to {}",
-            experiment_.source, experiment_.chemicals[chemical].name, what, found, cell, allowed.floor, allowed.limit));
+        throw Error(fmt::format("{}: an expression starts '{}' with the {} {} in cell {}; it must be {}",
+                                experiment_.where(line), experiment_.chemicals[chemical].name, what,
+                                std::isnan(found) ? "no number" : fmt::format("{:.9g}", found), cell,
+                                interval(allowed)));
     }
 
     T amount(std::size_t chemical, bool rate, const Spread& spread, std::size_t cell) {
         if (!spread.expression) return draw(spread);
-        judge(chemical, rate, computed_[cell], cell);
+        judge(*spread.expression, chemical, rate, computed_[cell], cell);
         return static_cast<T>(computed_[cell]);
     }
     void apply(const SetConcentration& set, std::size_t cell) {

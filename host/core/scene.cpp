@@ -1,15 +1,57 @@
 // See scene.hpp.
 #include "core/scene.hpp"
 
+#include "core/adjacency.hpp"
 #include "core/error.hpp"
 #include "core/evaluate.hpp"
 #include "core/philox.hpp"
 
+#include <optional>
 #include <utility>
 
 namespace pelage {
 
 namespace {
+
+// Differences between cells of a lattice and their neighbours.
+class Around {
+public:
+    Around(const Lattice& lattice, const Scene& scene, const std::vector<double>& values)
+        : lattice_(lattice), columns_(scene.columns), rows_(scene.rows), values_(values) {}
+
+    double laplacian(std::size_t cell) const {
+        double sum = 0.0;
+        for (const int up : {-1, 0, 1}) {
+            for (const int right : {-1, 0, 1}) {
+                const bool diagonal = up != 0 && right != 0;
+                if (diagonal && lattice_.stencil == Stencil::five_point) continue;
+                sum += neighbour_share(lattice_.stencil, diagonal) * difference(cell, right, up);
+            }
+        }
+        return sum;
+    }
+    double gradient_x(std::size_t cell) const { return 0.5 * (difference(cell, 1, 0) - difference(cell, -1, 0)); }
+    double gradient_y(std::size_t cell) const { return 0.5 * (difference(cell, 0, 1) - difference(cell, 0, -1)); }
+
+private:
+    // Theirs less the cell's own.
+    double difference(std::size_t cell, int right, int up) const {
+        const auto column = moved(cell % columns_, right, columns_);
+        const auto row = moved(cell / columns_, up, rows_);
+        if (column && row) return values_[*row * columns_ + *column] - values_[cell];
+        return lattice_.boundary == Boundary::absorbing ? -values_[cell] : 0.0;
+    }
+    std::optional<std::size_t> moved(std::size_t place, int by, std::size_t count) const {
+        const bool leaves = by < 0 ? place == 0 : by > 0 && place + 1 == count;
+        if (!leaves) return place + static_cast<std::size_t>(by);  // wraps as unsigned numbers do
+        if (lattice_.boundary != Boundary::wrap) return std::nullopt;
+        return by < 0 ? count - 1 : 0;
+    }
+
+    const Lattice& lattice_;
+    std::size_t columns_, rows_;
+    const std::vector<double>& values_;
+};
 
 class Columns {
 public:
@@ -43,12 +85,42 @@ public:
                 if (scene_.diff != nullptr) return scene_.diff->at(operand.index);
                 break;
             default:
+                if (scene_.state != nullptr) return of_state(operand);
                 break;
         }
         throw Error("an expression reads what there is in rules alone");
     }
 
 private:
+    std::vector<double> of_state(const Operand& operand) const {
+        const Snapshot& state = *scene_.state;
+        switch (operand.quantity) {
+            case Quantity::neighbours:
+                return {state.neighbours.begin(), state.neighbours.end()};
+            case Quantity::birth:
+                return {state.birth.begin(), state.birth.end()};
+            case Quantity::age:
+                return each([&](std::size_t cell) { return static_cast<double>(state.iteration - state.birth[cell]); });
+            case Quantity::mapping:
+                return state.mappings.at(operand.index);
+            case Quantity::iteration:
+                return each([&](std::size_t) { return static_cast<double>(state.iteration); });
+            case Quantity::time:
+                return each([&](std::size_t) { return scene_.time; });
+            default:
+                return of_neighbours(operand);
+        }
+    }
+    std::vector<double> of_neighbours(const Operand& operand) const {
+        if (scene_.lattice == nullptr) throw Error("an expression reads what lattices alone have");
+        const Around around(*scene_.lattice, scene_, scene_.conc->at(operand.index));
+        if (operand.quantity == Quantity::laplacian)
+            return each([&](std::size_t cell) { return around.laplacian(cell); });
+        if (operand.quantity == Quantity::gradient_x)
+            return each([&](std::size_t cell) { return around.gradient_x(cell); });
+        return each([&](std::size_t cell) { return around.gradient_y(cell); });
+    }
+
     template <class F>
     std::vector<double> each(F&& value) const {
         std::vector<double> values(scene_.cells());

@@ -1,7 +1,9 @@
-// Expressions outside rules: of fields, which depend on the place alone, and of how a tissue starts.
+// Expressions outside rules: of fields, which depend on the place alone, of how a tissue starts, and of pictures.
 #pragma once
 
 #include "core/expression.hpp"
+#include "core/snapshot.hpp"
+#include "core/space.hpp"
 
 #include <cstddef>
 #include <cstdint>
@@ -18,6 +20,9 @@ struct Scene {
     const std::vector<std::vector<double>>* fields = nullptr;  // [field][cell]
     const std::vector<std::vector<double>>* conc = nullptr;    // [chemical][cell]
     const std::vector<std::vector<double>>* diff = nullptr;
+    const Snapshot* state = nullptr;   // mappings, births, neighbours
+    double time = 0.0;                 // of the state
+    const Lattice* lattice = nullptr;  // with columns and rows of the scene: laplacian and gradients of `conc`
     // Of RANDOM: the key, and two words of the counter; the others are the cell's id and 0.
     std::int64_t seed = 1;
     std::uint32_t place = 0;
@@ -26,7 +31,7 @@ struct Scene {
     std::size_t cells() const { return x.size(); }
 };
 
-// Whether an expression of a field, or else of a start, may read this.
+// Whether an expression of a field, or else of a start, may read this; one of a picture may read everything.
 bool seen_by_field(Quantity);
 bool seen_at_start(Quantity);
 

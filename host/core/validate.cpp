@@ -28,7 +28,7 @@ public:
         validate_start(experiment_);
         check_fields();
         for (const Rule& rule : experiment_.rules) check_rule(rule);
-        for (const Output& output : experiment_.outputs) check_chemical(output.chemical, "an output");
+        for (const Output& output : experiment_.outputs) check_output(output);
         if (experiment_.outputs.empty()) fail("an experiment needs at least one output");
         if (experiment_.stop_at > largest_iteration)
             fail(fmt::format("a run cannot pass iteration {}", largest_iteration));
@@ -36,6 +36,15 @@ public:
     }
 
 private:
+    void check_output(const Output& output) const {
+        check_chemical(output.chemical, "an output");
+        if (output.expressions.size() > 1 && !output.rgb()) fail("an output draws one expression, or three");
+        for (const Expression& expression : output.expressions) {
+            check_expression(expression);
+            each_operand(expression, [&](const Operand& part) { check_operand(part); });
+        }
+    }
+
     void check_names() const {
         if (experiment_.chemicals.empty()) fail("no chemical is defined; `define chemical NAME`");
         if (experiment_.chemicals.size() > largest_chemical_count) {

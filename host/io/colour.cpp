@@ -137,34 +137,4 @@ DeepRgb Colours::deep(double value) const {
     return flat_ ? deepened(grey) : palette_.deep(value - low_, high_ - low_);
 }
 
-namespace {
-
-template <class Pixels, class Colour>
-Pixels drawn(std::span<const double> values, std::size_t columns, std::size_t rows, const Colour& colour) {
-    if (values.size() != columns * rows) {
-        throw Error(fmt::format("{} values cannot be drawn as {} x {} pixels", values.size(), columns, rows));
-    }
-    Pixels picture(columns, rows);
-    for (std::size_t row = 0; row < rows; ++row) {
-        for (std::size_t column = 0; column < columns; ++column) {
-            picture.at(column, rows - 1 - row) = colour(values[row * columns + column]);
-        }
-    }
-    return picture;
-}
-
-}  // namespace
-
-Picture render(std::span<const double> values, std::size_t columns, std::size_t rows, const Colours& colours) {
-    return drawn<Picture>(values, columns, rows, colours);
-}
-
-DeepPicture render_deep(std::span<const double> values, std::size_t columns, std::size_t rows, const Colours& colours) {
-    return drawn<DeepPicture>(values, columns, rows, [&](double value) { return colours.deep(value); });
-}
-
-Picture render(std::span<const double> values, std::size_t columns, std::size_t rows, const Output& output) {
-    return render(values, columns, rows, Colours(output, values));
-}
-
 }  // namespace pelage

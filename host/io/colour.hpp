@@ -72,11 +72,4 @@ private:
     bool flat_ = false;
 };
 
-// One pixel a value; `values` has the bottom row first, the picture the top line.
-Picture render(std::span<const double> values, std::size_t columns, std::size_t rows, const Colours&);
-DeepPicture render_deep(std::span<const double> values, std::size_t columns, std::size_t rows, const Colours&);
-
-// The same with the values' own range, or the output's.
-Picture render(std::span<const double> values, std::size_t columns, std::size_t rows, const Output&);
-
 }  // namespace pelage

@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <span>
 #include <vector>
 
 namespace pelage {
@@ -93,24 +94,22 @@ double outside_mark(double dx, double dy, double px, double py) {
     return std::hypot(dx - along * px, dy - along * py) - mark_half_width;
 }
 
-void draw_shapes(const Snapshot& cells, const std::vector<double>& values, const Colours& colours, CellShape shape,
-                 const View& view, Picture& picture) {
+void draw_shapes(const Snapshot& cells, const Brush& brush, CellShape shape, const View& view, Picture& picture) {
     const auto outside = shape == CellShape::circle ? outside_circle : outside_hexagon;
     for (std::size_t i = 0; i < cells.cells(); ++i) {
         if (!std::isfinite(cells.x[i]) || !std::isfinite(cells.y[i])) continue;
-        const auto colour = colours(values[i]);
+        const auto colour = brush(i);
         around(view, cells.x[i], cells.y[i], 1.2 + 1.0 / view.scale, [&](auto column, auto line, double dx, double dy) {
             blend(picture.at(column, line), colour, outside(dx, dy), view.scale);
         });
     }
 }
 
-void draw_voronoi(const Snapshot& cells, const std::vector<double>& values, const Colours& colours, const View& view,
-                  Picture& picture) {
+void draw_voronoi(const Snapshot& cells, const Brush& brush, const View& view, Picture& picture) {
     std::vector<double> nearest(view.columns * view.rows, std::numeric_limits<double>::max());
     for (std::size_t i = 0; i < cells.cells(); ++i) {
         if (!std::isfinite(cells.x[i]) || !std::isfinite(cells.y[i])) continue;
-        const auto colour = colours(values[i]);
+        const auto colour = brush(i);
         around(view, cells.x[i], cells.y[i], voronoi_half_side, [&](auto column, auto line, double dx, double dy) {
             double& least = nearest[line * view.columns + column];
             const double distance = dx * dx + dy * dy;
@@ -135,15 +134,13 @@ void draw_marks(const Snapshot& cells, const View& view, Picture& picture) {
 
 }  // namespace
 
-Picture draw_cells(const Snapshot& cells, std::size_t chemical, const Colours& colours, const CellDrawing& drawing) {
-    if (chemical >= cells.conc.size()) throw Error("the output's chemical is not among the snapshot's");
-    const auto& values = cells.conc[chemical];
+Picture draw_cells(const Snapshot& cells, const Brush& brush, const CellDrawing& drawing) {
     const auto view = fit(cells, drawing);
     Picture picture(view.columns, view.rows, white);
     if (drawing.shape == CellShape::voronoi) {
-        draw_voronoi(cells, values, colours, view, picture);
+        draw_voronoi(cells, brush, view, picture);
     } else {
-        draw_shapes(cells, values, colours, drawing.shape, view, picture);
+        draw_shapes(cells, brush, drawing.shape, view, picture);
     }
     if (drawing.polarity_marks) draw_marks(cells, view, picture);
     return picture;
@@ -151,7 +148,8 @@ Picture draw_cells(const Snapshot& cells, std::size_t chemical, const Colours& c
 
 Picture draw_cells(const Snapshot& cells, const Output& output, const CellDrawing& drawing) {
     if (output.chemical >= cells.conc.size()) throw Error("the output's chemical is not among the snapshot's");
-    return draw_cells(cells, output.chemical, Colours(output, cells.conc[output.chemical]), drawing);
+    const std::span<const double> values = cells.conc[output.chemical];
+    return draw_cells(cells, Brush(output, {values}, output.range ? ValueRange{} : range_of(values)), drawing);
 }
 
 }  // namespace pelage

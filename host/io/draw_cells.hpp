@@ -3,6 +3,7 @@
 
 #include "core/experiment.hpp"
 #include "core/snapshot.hpp"
+#include "io/brush.hpp"
 #include "io/colour.hpp"
 #include "io/picture.hpp"
 
@@ -23,7 +24,8 @@ struct CellDrawing {
 };
 
 // The tissue's bounding box on white, with edges antialiased (voronoi: sharp); a later cell covers an earlier one.
-Picture draw_cells(const Snapshot&, std::size_t chemical, const Colours&, const CellDrawing&);
-Picture draw_cells(const Snapshot&, const Output&, const CellDrawing&);  // in the values' own range, or the output's
+Picture draw_cells(const Snapshot&, const Brush&, const CellDrawing&);
+// The output's chemical, in the values' own range or the output's.
+Picture draw_cells(const Snapshot&, const Output&, const CellDrawing&);
 
 }  // namespace pelage

@@ -8,11 +8,12 @@
 #include <filesystem>
 #include <optional>
 #include <span>
+#include <vector>
 
 namespace pelage {
 
 struct Surface {
-    std::span<const double> values;  // columns * rows, bottom row first
+    std::vector<std::span<const double>> values;  // one of columns * rows, bottom row first, or red, green and blue
     std::size_t columns = 0;
     std::size_t rows = 0;
     double width = 1.0;  // of an element, in cells

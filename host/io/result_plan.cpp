@@ -85,8 +85,8 @@ void ResultPlan::add_picture(std::size_t output, const std::string& file, Write 
 }
 
 // STEM.NAME.png, or STEM.NAME-2.png when that is taken.
-std::string ResultPlan::free_name(const std::string& stem, std::size_t chemical, const std::string& ending) const {
-    const auto word = file_word(experiment_.chemicals[chemical].name);
+std::string ResultPlan::free_name(const std::string& stem, const std::string& name, const std::string& ending) const {
+    const auto word = file_word(name);
     auto file = fmt::format("{}.{}{}", stem, word, ending);
     for (int n = 2; std::find(names_.begin(), names_.end(), file) != names_.end(); ++n) {
         file = fmt::format("{}.{}-{}{}", stem, word, n, ending);
@@ -95,9 +95,10 @@ std::string ResultPlan::free_name(const std::string& stem, std::size_t chemical,
 }
 
 std::string ResultPlan::picture_name(const std::string& stem, const Output& output, bool first) const {
-    if (output.drawing == Drawing::height) return free_name(stem, output.chemical, ".height.png");
-    if (output.drawing == Drawing::normal) return free_name(stem, output.chemical, ".normal.png");
-    return first ? stem + ".png" : free_name(stem, output.chemical, ".png");
+    const std::string name = output_name(experiment_, output);
+    if (output.drawing == Drawing::height) return free_name(stem, name, ".height.png");
+    if (output.drawing == Drawing::normal) return free_name(stem, name, ".normal.png");
+    return first ? stem + ".png" : free_name(stem, name, ".png");
 }
 
 void ResultPlan::plan(Format format) {
@@ -157,18 +158,23 @@ std::optional<ValueRange> ResultPlan::shared_range(std::size_t output) const {
     return output < options_.ranges.size() ? options_.ranges[output] : std::nullopt;
 }
 
+Drawn ResultPlan::drawn(std::size_t output) const {
+    if (output < options_.values.size() && options_.values[output]) return Drawn(*options_.values[output]);
+    return Drawn(experiment_, outputs_[output], output, snapshot_);
+}
+
 void ResultPlan::write_picture(const std::filesystem::path& path, std::size_t index) const {
     const Output& output = outputs_[index];
-    const auto& values = snapshot_.conc[output.chemical];
+    const Drawn drawn = this->drawn(index);
     if (snapshot_.lattice()) {
-        Surface surface{values, snapshot_.columns, snapshot_.rows};
+        Surface surface{drawn.columns(), snapshot_.columns, snapshot_.rows};
         surface.wrap = wraps(experiment_);
         surface.factor =
             options_.enlargement != 0 ? options_.enlargement : enlargement(snapshot_.columns, snapshot_.rows);
         return write_output(path, surface, output, shared_range(index), options_.deep_png);
     }
-    const Colours colours(output, drawn_range(output, values, shared_range(index)));
-    const auto picture = draw_cells(snapshot_, output.chemical, colours, options_.drawing);
+    const Brush brush(output, drawn.columns(), drawn_range(output, drawn.values(), shared_range(index)));
+    const auto picture = draw_cells(snapshot_, brush, options_.drawing);
     if (options_.deep_png) return write_png(path, deepened(picture));
     write_png(path, picture);
 }
@@ -178,17 +184,23 @@ void ResultPlan::plan_arrays() {
         snapshot_.lattice() ? std::vector{snapshot_.rows, snapshot_.columns} : std::vector{snapshot_.cells()};
     const auto type = options_.precision == Precision::double_ ? NpyType::float64 : NpyType::float32;
     for (std::size_t i = 0; i < experiment_.chemicals.size(); ++i) {
-        add(free_name(stem_, i, ".npy"),
+        add(free_name(stem_, experiment_.chemicals[i].name, ".npy"),
             [this, i, shape, type](const auto& path) { write_npy(path, shape, snapshot_.conc[i], type); });
     }
 }
 
 void ResultPlan::plan_texture(std::size_t columns, std::size_t rows) {
-    textures_ = interpolate(snapshot_, snapshot_.conc, columns, rows, wraps(experiment_));
+    std::vector<std::vector<double>> values = snapshot_.conc;
+    for (std::size_t i = 0; i < outputs_.size(); ++i) {
+        if (outputs_[i].expressions.empty()) continue;
+        const Drawn drawn = this->drawn(i);
+        for (const std::span<const double> column : drawn.columns()) values.emplace_back(column.begin(), column.end());
+    }
+    textures_ = interpolate(snapshot_, values, columns, rows, wraps(experiment_));
     const std::string stem = stem_ == "final" ? "texture" : stem_ + ".texture";
     if (wanted(Format::exr)) {
         Layers layers;
-        for (const auto& field : textures_) layers.emplace_back(field.values);
+        for (std::size_t i = 0; i < snapshot_.conc.size(); ++i) layers.emplace_back(textures_[i].values);
         plan_layers(stem + ".exr", columns, rows, layers);
     }
     if (wanted(Format::png)) plan_texture_pictures(stem, columns, rows);
@@ -196,12 +208,15 @@ void ResultPlan::plan_texture(std::size_t columns, std::size_t rows) {
 
 void ResultPlan::plan_texture_pictures(const std::string& stem, std::size_t columns, std::size_t rows) {
     const auto [width, height] = texel_size(snapshot_, columns, rows);
+    std::size_t next = snapshot_.conc.size();  // texture of an expression
     for (std::size_t i = 0; i < outputs_.size(); ++i) {
         const Output& output = outputs_[i];
+        Layers values;
+        if (output.expressions.empty()) values.emplace_back(textures_[output.chemical].values);
+        for (std::size_t n = 0; n < output.expressions.size(); ++n) values.emplace_back(textures_[next++].values);
         if (i != main_ && of_colours(output)) continue;
         // A cell is two radii wide.
-        const Surface surface{
-            textures_[output.chemical].values, columns, rows, width / 2, height / 2, wraps(experiment_), 1};
+        const Surface surface{values, columns, rows, width / 2, height / 2, wraps(experiment_), 1};
         add_picture(i, picture_name(stem, output, i == main_), [this, surface, i](const auto& path) {
             write_output(path, surface, outputs_[i], shared_range(i), options_.deep_png);
         });

@@ -1,6 +1,7 @@
 // Which files one state is written to, and how: planned first, so that they can be written at the same time.
 #pragma once
 
+#include "io/drawn.hpp"
 #include "io/output_file.hpp"
 #include "io/results.hpp"
 
@@ -31,7 +32,7 @@ private:
     void add(const std::string& file, Write write);  // notes the file and how it is written
     template <class Write>
     void add_picture(std::size_t output, const std::string& file, Write write);  // where it is one to be drawn
-    std::string free_name(const std::string& stem, std::size_t chemical, const std::string& ending) const;
+    std::string free_name(const std::string& stem, const std::string& name, const std::string& ending) const;
     std::string picture_name(const std::string& stem, const Output&, bool first) const;
 
     void plan(Format);
@@ -45,6 +46,7 @@ private:
     void write_layers(const std::filesystem::path&, std::size_t columns, std::size_t rows, const Layers&) const;
     void write_picture(const std::filesystem::path&, std::size_t output) const;
     std::optional<ValueRange> shared_range(std::size_t output) const;
+    Drawn drawn(std::size_t output) const;
 
     const std::filesystem::path& folder_;
     std::string stem_;
@@ -54,7 +56,7 @@ private:
     Attributes attributes_;
     std::vector<Output> outputs_;
     std::size_t main_ = 0;            // of them: the first one of colours, STEM.png
-    std::vector<Field> textures_;     // by chemical
+    std::vector<Field> textures_;     // by chemical, then of outputs that draw expressions, in their order
     std::vector<std::string> names_;  // of all outputs, drawn or not
     std::vector<std::string> files_;
     std::vector<std::function<void()>> work_;

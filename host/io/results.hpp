@@ -20,8 +20,8 @@ namespace pelage {
 
 enum class Format {
     exr,  // STEM.exr: a lattice's concentrations, and in Y the first output's chemical, which other programs show
-    png,  // STEM.png: the first output of colours; STEM.NAME.png: the others, by chemical (STEM.NAME-2.png if that name
-          // is taken); STEM.NAME.height.png and STEM.NAME.normal.png: maps of a lattice
+    png,  // STEM.png: the first output of colours; STEM.NAME.png: the others, by chemical or name (STEM.NAME-2.png if
+          // that is taken); STEM.NAME.height.png and STEM.NAME.normal.png: maps of a lattice
     npy,  // STEM.NAME.npy for each chemical: rows x columns, bottom row first, or one dimension for free cells
     csv,  // STEM.csv
     vtk   // STEM.vti for a lattice, STEM.vtp for free cells
@@ -39,6 +39,8 @@ struct ResultOptions {
     bool deep_png = false;  // 16 bits a channel; the colours of free cells are still those of 8
     // The range in which each output draws where it has none of its own; shorter, or empty: that of its values.
     std::vector<std::optional<ValueRange>> ranges;
+    // What each output draws where it is not taken from the state; shorter, or empty: it is.
+    std::vector<std::optional<std::vector<double>>> values;
     std::size_t enlargement = 0;  // of a lattice's pictures; 0: that of its own size
     bool ranged_only = false;     // of the pictures, only those of outputs that are given a range here
     std::function<void(const std::vector<std::string>&)> before;  // told all names before anything is written

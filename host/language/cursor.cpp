@@ -69,6 +69,7 @@ public:
     }
     std::optional<Operand> of_chemical(const Token&, const Token&) const override { return std::nullopt; }
     bool takes_chemical(std::string_view) const override { return false; }
+    std::vector<std::string_view> chemical_words() const override { return {}; }
     std::vector<std::string_view> all() const override {
         std::vector<std::string_view> names;
         for (const Parameter& one : parameters_) names.push_back(one.name);
@@ -81,8 +82,8 @@ private:
 
 }  // namespace
 
-Error error_at(std::string_view source, Place place, std::string_view text) {
-    return Error(fmt::format("{}:{}:{}: {}", source, place.line, place.column, text));
+Error error_at(const Experiment& experiment, Place place, std::string_view text) {
+    return Error(fmt::format("{}:{}: {}", experiment.where(place.line), place.column, text));
 }
 
 std::optional<double> to_number(std::string_view text) {
@@ -165,7 +166,7 @@ template <class Integer>
 std::optional<Integer> Cursor::integer_here(std::string_view what, std::string_view kind) const {
     if (const auto computed = computed_here()) {
         if (std::floor(*computed) != *computed) needs(peek(), "is not a whole number", what, kind);
-        if (std::fabs(*computed) > largest_whole) needs(peek(), "is too large to be exact", what, kind);
+        if (std::fabs(*computed) >= largest_whole) needs(peek(), "is too large to be exact", what, kind);
         return to_integer<Integer>(fmt::format("{:.0f}", *computed));
     }
     if (peek().quoted || !whole(peek().text)) needs(peek(), "is not a whole number", what, kind);
@@ -193,7 +194,9 @@ const Token& Cursor::text(std::string_view what) {
     return next();
 }
 
-void Cursor::fail(const Token& at, std::string_view text) const { throw error_at(source_, place(at), text); }
+void Cursor::fail(const Token& at, std::string_view text) const {
+    throw Error(fmt::format("{}:{}: {}", where_, place(at).column, text));
+}
 
 void Cursor::unknown(const Token& at, Words allowed, std::string_view end) const {
     const std::string list = listed(allowed) + std::string(end);
@@ -211,11 +214,11 @@ void Cursor::needs(const Token& at, std::string_view found, std::string_view wha
 std::string Cursor::described(const Token& token) const {
     if (is_expression(token)) {
         const double value = read_expression(*this, token, ConstantNames(*parameters_)).nodes.back().operand.value;
-        return fmt::format("expression {} is {:g}, which", shown(token), value);
+        return fmt::format("expression {} is {}, which", shown(token), value);
     }
     const Parameter* named = parameter(token);
     if (named == nullptr) return shown(token);
-    return fmt::format("parameter {} of line {} is {:g}, which", shown(token), named->line, named->value);
+    return fmt::format("parameter {} of line {} is {}, which", shown(token), named->line, named->value);
 }
 
 // The parameter that a mistyped word may mean.

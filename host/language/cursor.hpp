@@ -2,6 +2,7 @@
 #pragma once
 
 #include "core/error.hpp"
+#include "core/experiment.hpp"
 #include "core/parameter.hpp"
 #include "language/words.hpp"
 
@@ -26,7 +27,7 @@ struct Place {  // both from 1
     std::size_t column = 0;
 };
 
-Error error_at(std::string_view source, Place, std::string_view text);
+Error error_at(const Experiment&, Place, std::string_view text);
 
 // Where a parameter stands for a whole number: beyond it doubles are no longer all whole numbers.
 inline constexpr double largest_whole = 9007199254740992.0;
@@ -52,7 +53,8 @@ public:
     // Splits the line at spaces and tabs, outside parentheses; "//" starts a comment. Throws Error for control
     // characters, for bytes above 127 outside quotes and for a quote or a parenthesis that is not closed. Names of
     // `parameters` stand for numbers, and so do expressions made of them.
-    Cursor(std::string_view source, std::size_t line, std::string_view text, const std::vector<Parameter>& parameters);
+    // `where` is the line's place in messages, as in "cow.pex:3".
+    Cursor(std::string where, std::size_t line, std::string_view text, const std::vector<Parameter>& parameters);
 
     // The text between a token's quotes, a comma being a word of its own.
     Cursor inside(const Token& quoted) const;
@@ -81,7 +83,7 @@ public:
     static std::string shown(const Token&);  // as it stands in messages, with its quotes
 
 private:
-    Cursor(std::string_view source, std::size_t line, std::string_view text, const std::vector<Parameter>* parameters,
+    Cursor(std::string where, std::size_t line, std::string_view text, const std::vector<Parameter>* parameters,
            std::size_t from, std::size_t to, bool commas);
     bool starts_comment(std::size_t at) const;
     std::size_t end_of_word(std::size_t at, std::size_t to, bool commas) const;
@@ -98,7 +100,7 @@ private:
     [[noreturn]] void needs(const Token& at, std::string_view found, std::string_view what,
                             std::string_view kind) const;
 
-    std::string_view source_;
+    std::string where_;
     std::size_t line_;
     std::string_view text_;
     const std::vector<Parameter>* parameters_;

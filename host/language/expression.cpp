@@ -17,8 +17,7 @@ namespace pelage::language {
 
 namespace {
 
-constexpr int deepest = 100;                                                          // parentheses in parentheses
-constexpr std::array<std::string_view, 5> own_words{"if", "and", "or", "not", "PI"};  // mean something here alone
+constexpr int deepest = 100;  // parentheses in parentheses
 
 class Reader {
 public:
@@ -224,6 +223,9 @@ private:
         std::vector<std::string_view> all = names_.all();
         all.insert(all.end(), own_words.begin(), own_words.end());
         const std::string names = listed(all);
+        const std::vector<std::string_view> words = names_.chemical_words();
+        if (std::ranges::find(words, at.text) != words.end())
+            pieces_.fail(at, fmt::format("'{}' takes the name of a chemical; write {}(NAME)", at.text, at.text));
         for (const FunctionFacts& facts : function_table()) all.push_back(facts.name);
         pieces_.fail(at, fmt::format("unknown name {} in an expression; known here: {}, and functions{}", shown(at),
                                      names, suggestion(at.text, all)));
@@ -246,7 +248,8 @@ private:
     }
 
     [[noreturn]] void unknown_function(const Token& word) const {
-        std::vector<std::string_view> names{"if"};
+        std::vector<std::string_view> names = names_.chemical_words();
+        names.push_back("if");
         for (const FunctionFacts& facts : function_table()) names.push_back(facts.name);
         if (names_.find(word))
             pieces_.fail(word, fmt::format("{} is no function; a product needs its '*'", shown(word)));

@@ -4,11 +4,15 @@
 #include "core/expression.hpp"
 #include "language/cursor.hpp"
 
+#include <array>
 #include <optional>
 #include <string_view>
 #include <vector>
 
 namespace pelage::language {
+
+// Words that mean something in expressions alone.
+inline constexpr std::array<std::string_view, 5> own_words{"if", "and", "or", "not", "PI"};
 
 // What the names in an expression mean.
 class Names {
@@ -20,7 +24,8 @@ public:
     // it is no such word.
     virtual std::optional<Operand> of_chemical(const Token& word, const Token& name) const = 0;
     virtual bool takes_chemical(std::string_view word) const = 0;
-    // For messages: all that may stand there.
+    // For messages: words that take the name of a chemical, and all that may stand alone.
+    virtual std::vector<std::string_view> chemical_words() const = 0;
     virtual std::vector<std::string_view> all() const = 0;
 };
 

@@ -52,14 +52,14 @@ Experiment Script::finish() {
 void Script::check_contents() const {
     const Place end{std::max<std::size_t>(line_, 1), 1};
     if (experiment.chemicals.empty()) {
-        throw error_at(experiment.source, end, "the file ends without a chemical; write 'define chemical NAME'");
+        throw error_at(experiment, end, "the file ends without a chemical; write 'define chemical NAME'");
     }
-    if (cells_ == 0) throw error_at(experiment.source, end, "the file ends without cells; write 'create ...'");
+    if (cells_ == 0) throw error_at(experiment, end, "the file ends without cells; write 'create ...'");
 }
 
 void Script::check_arrangement() const {
     const auto refuse = [&](const Demand& demand, std::string_view text) {
-        throw error_at(experiment.source, demand.place, fmt::format("'{}' {}", demand.statement, text));
+        throw error_at(experiment, demand.place, fmt::format("'{}' {}", demand.statement, text));
     };
     if (needs_matrix_ && !matrix_) refuse(*needs_matrix_, "needs a matrix; write 'create matrix COLUMNS ROWS'");
     if (refuses_matrix_ && matrix_)
@@ -80,14 +80,14 @@ void Script::check_pictures() const {
         const std::string wanted = lattice == nullptr
                                        ? "only lattices start from pictures"
                                        : fmt::format("the lattice is {} x {}", lattice->columns, lattice->rows);
-        throw error_at(experiment.source, picture.place,
+        throw error_at(experiment, picture.place,
                        fmt::format("the picture is {} x {}; {}", field.columns, field.rows, wanted));
     }
 }
 
 void Script::check_maps() const {
     if (!draws_map_ || experiment.texture || std::holds_alternative<Lattice>(space_of(experiment))) return;
-    throw error_at(experiment.source, draws_map_->place,
+    throw error_at(experiment, draws_map_->place,
                    "free cells make no height or normal map by themselves; add 'texture size WIDTH HEIGHT'");
 }
 
@@ -104,7 +104,7 @@ void Script::check_growth() const {
         columns += times * expand->columns;
         rows += times * expand->rows;
         if (columns > largest_cell_count || rows > largest_cell_count / columns) {
-            throw error_at(experiment.source, *place,
+            throw error_at(experiment, *place,
                            fmt::format("the matrix grows to {} x {} elements; at most {} cells are allowed", columns,
                                        rows, largest_cell_count));
         }
@@ -123,7 +123,7 @@ Place Script::place_of(const StartFault& fault) const {
 
 void Script::check_starts() const {
     for (const StartFault& fault : start_faults(experiment)) {
-        if (fault.refused) throw error_at(experiment.source, place_of(fault), fault.text);
+        if (fault.refused) throw error_at(experiment, place_of(fault), fault.text);
     }
 }
 

@@ -146,7 +146,9 @@ std::string why(const Ranges& ranges, const Compare& compare) {
     const Interval left = ranges.of(compare.left);
     const Interval right = ranges.of(compare.right);
     if (same(compare)) {
-        return can_hold({0, 0, true}, compare.comparison, {0, 0, true}) ? "" : "a value is compared with itself";
+        if (can_hold({0, 0, true}, compare.comparison, {0, 0, true})) return "";
+        return compare.left.quantity == Quantity::number ? "its expression is never true"
+                                                         : "a value is compared with itself";
     }
     if (can_hold(left, compare.comparison, right)) return "";
     return fmt::format("the value compared is {}, the other one is {}", shown(left), shown(right));

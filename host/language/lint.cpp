@@ -1,6 +1,7 @@
 // See lint.hpp: the table of lints, and what they share.
 #include "language/lint.hpp"
 
+#include "language/include.hpp"
 #include "language/lints.hpp"
 
 #include <fmt/format.h>
@@ -28,20 +29,8 @@ constexpr std::array lints{
     Entry{"outside", find_cells_outside},          Entry{"odd-start", find_odd_starts},
     Entry{"no-shape", find_shapes_that_are_none},  Entry{"unused-chemical", find_unused_chemicals},
     Entry{"unused-mapping", find_unused_mappings}, Entry{"unused-colour", find_unused_colours},
-    Entry{"equal-outputs", find_equal_outputs},    Entry{"unused-parameter", find_unused_parameters}};
-
-std::vector<std::string_view> lines_of(std::string_view text) {
-    std::vector<std::string_view> lines;
-    if (text.starts_with("\xef\xbb\xbf")) text.remove_prefix(3);  // byte order mark of UTF-8
-    while (!text.empty()) {
-        const std::size_t end = std::min(text.find('\n'), text.size());
-        std::string_view line = text.substr(0, end);
-        if (line.ends_with('\r')) line.remove_suffix(1);
-        lines.push_back(line);
-        text.remove_prefix(std::min(end + 1, text.size()));
-    }
-    return lines;
-}
+    Entry{"equal-outputs", find_equal_outputs},    Entry{"unused-parameter", find_unused_parameters},
+    Entry{"unused-field", find_unused_fields}};
 
 }  // namespace
 
@@ -49,7 +38,7 @@ Sheet::Sheet(const Experiment& experiment_, const Outline& outline_, std::uint64
     : experiment(experiment_), outline(outline_), last(last_), lines_(lines_of(experiment_.text)) {}
 
 Cursor Sheet::read(std::size_t line) const {
-    return {experiment.source, line, lines_[line - 1], experiment.parameters};
+    return {experiment.where(line), line, lines_[line - 1], experiment.parameters};
 }
 
 Place Sheet::place(std::size_t line, std::string_view word) const {
@@ -76,7 +65,7 @@ std::vector<Warning> lint(const Experiment& experiment, const Outline& outline, 
 }
 
 std::string shown(const Experiment& experiment, const Warning& warning) {
-    return fmt::format("{}:{}:{}: warning: {} [{}]", experiment.source, warning.line, warning.column, warning.text,
+    return fmt::format("{}:{}: warning: {} [{}]", experiment.where(warning.line), warning.column, warning.text,
                        warning.lint);
 }
 

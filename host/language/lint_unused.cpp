@@ -12,7 +12,7 @@ namespace pelage::language {
 
 namespace {
 
-// What the rules, all of them, touch.
+// What rules, starts, fields and pictures touch.
 class Uses {
 public:
     explicit Uses(const Experiment& experiment) : experiment_(experiment) {
@@ -20,19 +20,65 @@ public:
             std::visit([&](const auto& condition) { look(condition); }, rule.condition);
             std::visit([&](const auto& action) { look(action); }, rule.action);
         }
+        for (const Statement& statement : experiment.prepattern) {
+            std::visit([&](const auto& start) { look(start); }, statement);
+        }
+        for (const PlaceField& field : experiment.fields) {
+            const auto* computed = std::get_if<ComputedField>(&field.source);
+            if (computed != nullptr) read(computed->expression);
+        }
+        for (const Output& output : experiment.outputs) {
+            if (output.expressions.empty()) chemicals.insert(output.chemical);
+            for (const Expression& expression : output.expressions) read(expression);
+        }
     }
     std::set<std::size_t> chemicals;
     std::set<std::size_t> mappings;  // that are read
+    std::set<std::size_t> fields;
 
 private:
-    void read(const Operand& operand) {
-        if (operand.quantity == Quantity::expression) {
-            each_operand(experiment_.expressions[operand.index], [&](const Operand& part) { read(part); });
-        }
-        if (operand.quantity == Quantity::mapping) mappings.insert(operand.index);
-        if (operand.quantity == Quantity::concentration || operand.quantity == Quantity::rate)
-            chemicals.insert(operand.index);
+    void read(const Expression& expression) {
+        each_operand(expression, [&](const Operand& part) { read(part); });
     }
+    void read(const Operand& operand) {
+        switch (operand.quantity) {
+            case Quantity::expression:
+                return read(experiment_.expressions[operand.index]);
+            case Quantity::mapping:
+                mappings.insert(operand.index);
+                return;
+            case Quantity::field:
+                fields.insert(operand.index);
+                return;
+            case Quantity::concentration:
+            case Quantity::rate:
+            case Quantity::laplacian:
+            case Quantity::gradient_x:
+            case Quantity::gradient_y:
+                chemicals.insert(operand.index);
+                return;
+            default:
+                return;
+        }
+    }
+    void read(const std::optional<Spread>& spread) {
+        if (spread && spread->expression) read(experiment_.expressions[*spread->expression]);
+    }
+    void look(const UseChemical& use) {
+        read(use.conc);
+        read(use.diff);
+    }
+    void look(const SetCells& set) {
+        if (set.where) read(experiment_.expressions[*set.where]);
+        if (const auto* conc = std::get_if<SetConcentration>(&set.what)) read(conc->value);
+        if (const auto* diff = std::get_if<SetRate>(&set.what)) read(diff->value);
+    }
+    void look(const UsePolarity&) {}
+    void look(const UseSeed&) {}
+    void look(const CreateCell&) {}
+    void look(const CreateGrid&) {}
+    void look(const CreateMatrix&) {}
+    void look(const CreateShape&) {}
     void look(const Always&) {}
     void look(const Compare& compare) {
         read(compare.left);
@@ -84,8 +130,10 @@ bool equal(const Colormap& one, const Colormap& other) {
 
 // A member that is added one day makes this line wrong, and so cannot be forgotten.
 bool equal(const Output& one, const Output& other) {
-    const auto& [chemical, colormap, range, own_range, drawing, strength] = one;
-    return chemical == other.chemical && equal(colormap, other.colormap) && range == other.range &&
+    const auto& [chemical, colormap, range, own_range, drawing, strength, expressions, name] = one;
+    const auto same = [](const Expression& a, const Expression& b) { return a.nodes == b.nodes; };
+    return std::ranges::equal(expressions, other.expressions, same) && name == other.name &&
+           chemical == other.chemical && equal(colormap, other.colormap) && range == other.range &&
            own_range == other.own_range && drawing == other.drawing && strength == other.strength;
 }
 
@@ -94,10 +142,8 @@ bool equal(const Output& one, const Output& other) {
 void find_unused_chemicals(const Sheet& sheet, Reporter& report) {
     const Uses uses(sheet.experiment);
     for (std::size_t i = 0; i < sheet.experiment.chemicals.size(); ++i) {
-        const bool drawn =
-            std::ranges::any_of(sheet.experiment.outputs, [&](const Output& output) { return output.chemical == i; });
-        if (drawn || uses.chemicals.count(i) > 0) continue;
         const std::string& name = sheet.experiment.chemicals[i].name;
+        if (name.ends_with(')') || uses.chemicals.count(i) > 0) continue;  // the first: what previous() keeps
         report(sheet.place(sheet.outline.chemicals[i], name),
                fmt::format("no rule and no output names chemical '{}'", name));
     }
@@ -112,9 +158,18 @@ void find_unused_mappings(const Sheet& sheet, Reporter& report) {
     }
 }
 
+void find_unused_fields(const Sheet& sheet, Reporter& report) {
+    const Uses uses(sheet.experiment);
+    for (std::size_t i = 0; i < sheet.experiment.fields.size(); ++i) {
+        const PlaceField& field = sheet.experiment.fields[i];
+        if (field.name.empty() || uses.fields.count(i) > 0) continue;
+        report(sheet.place(field.line, field.name), fmt::format("nothing reads the field '{}'", field.name));
+    }
+}
+
 void find_unused_colours(const Sheet& sheet, Reporter& report) {
     const bool slots_drawn = std::ranges::any_of(sheet.experiment.outputs, [](const Output& output) {
-        return output.colormap.name == "gradient" || output.colormap.name == "striped";
+        return !output.rgb() && (output.colormap.name == "gradient" || output.colormap.name == "striped");
     });
     const auto has_own_map = [&](std::size_t line) {
         Cursor words = sheet.read(line);

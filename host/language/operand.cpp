@@ -100,18 +100,25 @@ public:
         const auto chemical = script_.find_chemical(name.text);
         if (!chemical) return std::nullopt;
         const Quantity quantity = find_of_chemical(word.text)->quantity;
-        check_scope(name, quantity);
+        check_scope(word, quantity);
         if (needs_lattice(quantity)) script_.needs_lattice(cursor_, word);
         if (word.text == before) {
-            if (scope_ != Scope::rule) cursor_.fail(word, "'previous' is known in rules alone, not at the start");
+            if (!visible(Quantity::mapping)) cursor_.fail(word, "'previous' is known in rules alone, not at the start");
             return Operand{quantity, 0.0, script_.previous_of(*chemical, cursor_, word)};
         }
         return Operand{quantity, 0.0, *chemical};
     }
+    std::vector<std::string_view> chemical_words() const override {
+        std::vector<std::string_view> names;
+        for (const QuantityWord& word : of_chemicals) {
+            if (visible(word.quantity) && scope_ != Scope::field) names.push_back(word.text);
+        }
+        return names;
+    }
     std::vector<std::string_view> all() const override {
         std::vector<std::string_view> names;
         if (scope_ != Scope::field) names = script_.chemical_names();
-        if (scope_ == Scope::rule) {
+        if (visible(Quantity::mapping)) {
             for (const std::string& name : script_.experiment.mappings) names.push_back(name);
         }
         for (const PlaceField& field : script_.experiment.fields) names.push_back(field.name);
@@ -124,7 +131,8 @@ public:
 
 private:
     bool visible(Quantity quantity) const {
-        return scope_ == Scope::rule || (scope_ == Scope::field ? seen_by_field(quantity) : seen_at_start(quantity));
+        if (scope_ == Scope::field) return seen_by_field(quantity);
+        return scope_ != Scope::start || seen_at_start(quantity);
     }
     void check_scope(const Token& at, Quantity quantity) const {
         if (visible(quantity)) return;
@@ -244,6 +252,9 @@ void check_name(const Script& script, const Cursor& cursor, const Token& name, s
                     fmt::format("'{}' cannot name a {}; names are a letter, then up to 31 letters, digits, _ or -{}",
                                 shortened(text), what, number ? ", and no number" : ""));
     }
+    const bool mistakable = what == "parameter" || what == "field";  // chemicals of published files may be named so
+    if (mistakable && std::ranges::find(own_words, text) != own_words.end())
+        cursor.fail(name, fmt::format("'{}' cannot name a {}; it is a word of expressions", text, what));
     if (find_word(text) != nullptr) {
         cursor.fail(name, fmt::format("'{}' cannot name a {}; it is a word of rules", text, what));
     }

@@ -1,10 +1,12 @@
 // colormap, output, texture, zoom: what is drawn.
+#include "language/expression.hpp"
 #include "language/statements.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <array>
+#include <cctype>
 
 namespace pelage::language {
 
@@ -78,7 +80,19 @@ void parse_colormap(Script& script, Cursor& cursor) {
 
 namespace {
 
-constexpr std::array<std::string_view, 4> output_words{"range", "colormap", "height", "normal"};
+constexpr std::array<std::string_view, 5> output_words{"range", "colormap", "height", "normal", "as"};
+
+// A name for the picture's file.
+std::string parse_file_word(Cursor& cursor) {
+    const Token& token = cursor.value("the picture's name");
+    const bool sound = token.text.size() <= 64 && std::ranges::all_of(token.text, [](char c) {
+                           return std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '_' || c == '-';
+                       });
+    if (!sound)
+        cursor.fail(token, fmt::format("'{}' cannot name a picture; names are up to 64 letters, digits, _ or -",
+                                       shortened(token.text)));
+    return std::string(token.text);
+}
 
 void parse_range(Cursor& cursor, Output& output) {
     if (cursor.take("each")) {
@@ -95,22 +109,46 @@ void parse_range(Cursor& cursor, Output& output) {
 // An option that the kind of picture has no use for.
 void check_option(const Cursor& cursor, const Token& option, const Output& output) {
     const bool normal = output.drawing == Drawing::normal;
+    if (output.rgb() && option.text != "as")
+        cursor.fail(option,
+                    fmt::format("a picture of red, green and blue has no {}; its expressions do all", option.text));
     if (option.text == "colormap" && output.drawing != Drawing::colours)
         cursor.fail(option, fmt::format("a {} map has no colormap", normal ? "normal" : "height"));
     if (option.text == "range" && normal) cursor.fail(option, "a normal map has no range; its slopes have a strength");
 }
 
+Expression parse_drawn(Script& script, Cursor& cursor, std::string_view what) {
+    return parse_expression(script, cursor, Scope::picture, what);
+}
+
+// What is drawn: NAME | (EXPRESSION) | rgb (RED) (GREEN) (BLUE)
+void parse_subject(Script& script, Cursor& cursor, Output& output) {
+    if (is_expression(cursor.peek())) {
+        output.expressions.push_back(parse_drawn(script, cursor, "what is drawn"));
+        return;
+    }
+    Cursor ahead = cursor;  // a chemical may be named rgb
+    if (!ahead.take("rgb") || !is_expression(ahead.peek())) {
+        output.chemical = script.chemical(cursor);
+        return;
+    }
+    cursor.next();
+    for (const std::string_view channel : {"red", "green", "blue"})
+        output.expressions.push_back(parse_drawn(script, cursor, channel));
+}
+
 PendingOutput parse_output_options(Script& script, Cursor& cursor) {
     PendingOutput pending;
     Output& output = pending.output;
-    output.chemical = script.chemical(cursor);
+    parse_subject(script, cursor, output);
     std::vector<const Token*> given;
     Options options(output_words);
     while (true) {
         const Token& token = cursor.peek();
         const auto option = options.next(cursor);
         if (!option) break;
-        if (*option >= 2 && output.drawing != Drawing::colours)
+        const bool kind = *option == 2 || *option == 3;
+        if (kind && output.drawing != Drawing::colours)
             cursor.fail(token, "a picture is a height map or a normal map; write another 'output' for the other");
         given.push_back(&token);
         if (*option == 0) parse_range(cursor, output);
@@ -120,6 +158,7 @@ PendingOutput parse_output_options(Script& script, Cursor& cursor) {
             output.drawing = Drawing::normal;
             output.strength = cursor.number("the height of one unit, in cells");
         }
+        if (*option == 4) output.name = parse_file_word(cursor);
     }
     for (const Token* token : given) check_option(cursor, *token, output);
     return pending;
@@ -128,12 +167,14 @@ PendingOutput parse_output_options(Script& script, Cursor& cursor) {
 // Each picture's name is that of its chemical and kind; the first one of colours has none.
 void check_new(const Script& script, const Cursor& cursor, const Token& name, const Output& output) {
     bool first = output.drawing == Drawing::colours;
+    const std::string word = output_name(script.experiment, output);
     for (const PendingOutput& earlier : script.outputs) {
         if (earlier.output.drawing != output.drawing) continue;
-        if (!first && earlier.output.chemical == output.chemical) {
+        if (!first && output_name(script.experiment, earlier.output) == word) {
             const std::array<std::string_view, 3> kinds{"", ".height", ".normal"};
-            cursor.fail(name, fmt::format("the picture final.{}{}.png is already described", name.text,
-                                          kinds[static_cast<std::size_t>(output.drawing)]));
+            cursor.fail(name,
+                        fmt::format("the picture final.{}{}.png is already described; 'as NAME' gives it another name",
+                                    word, kinds[static_cast<std::size_t>(output.drawing)]));
         }
         first = false;
     }

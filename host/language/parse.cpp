@@ -1,12 +1,13 @@
 // See parse.hpp: the loop over lines.
 #include "language/parse.hpp"
 
+#include "language/include.hpp"
 #include "language/statements.hpp"
 
 #include <fmt/format.h>
 
 #include <array>
-#include <fstream>
+#include <utility>
 
 namespace pelage {
 
@@ -14,12 +15,13 @@ namespace {
 
 using namespace language;
 
-constexpr std::array<std::string_view, 12> statement_words{"define", "use",  "create",   "set",    "rule",    "phase",
-                                                           "snap",   "stop", "colormap", "output", "texture", "zoom"};
+constexpr std::array<std::string_view, 13> statement_words{"define",  "use",  "create", "set",      "rule",
+                                                           "phase",   "snap", "stop",   "colormap", "output",
+                                                           "texture", "zoom", "include"};
 constexpr std::array statement_parsers{parse_define,   parse_use,    parse_create,  parse_set,
                                        parse_rule,     parse_phase,  parse_snap,    parse_stop,
                                        parse_colormap, parse_output, parse_texture, parse_zoom};
-static_assert(statement_words.size() == statement_parsers.size());
+static_assert(statement_words.size() == statement_parsers.size() + 1);  // joined_text() has carried out `include`
 
 // The line to everything that has come with it.
 void note(Outline& outline, const Script& script, std::size_t line, std::string what) {
@@ -35,13 +37,13 @@ void note(Outline& outline, const Script& script, std::size_t line, std::string 
 void parse_line(Script& script, std::size_t number, std::string_view line, Outline* outline) {
     script.at_line(number);
     if (line.size() > largest_line) {
-        throw error_at(script.experiment.source, {number, 1},
+        throw error_at(script.experiment, {number, 1},
                        fmt::format("the line has {} bytes; at most {} are allowed", line.size(), largest_line));
     }
-    Cursor cursor(script.experiment.source, number, line, script.experiment.parameters);
+    Cursor cursor(script.experiment.where(number), number, line, script.experiment.parameters);
     if (cursor.done()) return;
     Cursor again = cursor;
-    statement_parsers[cursor.choose(statement_words)](script, cursor);
+    statement_parsers.at(cursor.choose(statement_words))(script, cursor);
     cursor.finish();
     if (outline == nullptr) return;
     const Token& first = again.next();
@@ -52,38 +54,17 @@ void check_size(const std::string& source, std::size_t size) {
     if (size > largest_text) throw Error(fmt::format("{}: is longer than the {} bytes allowed", source, largest_text));
 }
 
-std::string read_text(const std::filesystem::path& path) {
-    std::error_code error;
-    if (std::filesystem::is_directory(path, error)) {
-        throw Error(fmt::format("{}: is a folder; an experiment is a text file", path.string()));
-    }
-    std::ifstream file(path, std::ios::binary);
-    if (!file) throw Error(fmt::format("{}: cannot be opened; give the name of an experiment file", path.string()));
-    std::string text;
-    std::array<char, 1 << 16> part{};
-    while (text.size() <= largest_text && (file.read(part.data(), part.size()), file.gcount() > 0)) {
-        text.append(part.data(), static_cast<std::size_t>(file.gcount()));
-    }
-    if (file.bad()) throw Error(fmt::format("{}: cannot be read", path.string()));
-    return text;
-}
-
 }  // namespace
 
 Experiment parse_experiment(const std::string& text, const std::string& source_name,
                             const std::filesystem::path& folder, Outline* outline, StartPictures pictures,
                             const std::vector<Setting>& settings) {
     check_size(source_name, text.size());
-    Script script(text, source_name, folder, pictures, settings);
-    std::string_view rest = text;
-    if (rest.starts_with("\xef\xbb\xbf")) rest.remove_prefix(3);  // byte order mark of UTF-8
-    for (std::size_t number = 1; !rest.empty(); ++number) {
-        const std::size_t end = rest.find('\n');
-        std::string_view line = rest.substr(0, end);
-        if (line.ends_with('\r')) line.remove_suffix(1);
-        parse_line(script, number, line, outline);
-        rest.remove_prefix(end == std::string_view::npos ? rest.size() : end + 1);
-    }
+    JoinedText joined = joined_text(text, source_name, folder);
+    Script script(joined.text, source_name, folder, pictures, settings);
+    script.experiment.included = std::move(joined.included);
+    std::size_t number = 0;
+    for (const std::string_view line : lines_of(joined.text)) parse_line(script, ++number, line, outline);
     return script.finish();
 }
 

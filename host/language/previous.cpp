@@ -4,7 +4,6 @@
 
 #include <fmt/format.h>
 
-#include <limits>
 #include <utility>
 
 namespace pelage::language {
@@ -17,7 +16,6 @@ std::size_t Script::previous_of(std::size_t chemical, const Cursor& cursor, cons
         cursor.fail(at,
                     fmt::format("'previous' needs a chemical more; at most {} are allowed", largest_chemical_count));
     }
-    constexpr double infinity = std::numeric_limits<double>::infinity();
     Chemical keeper;
     keeper.name = fmt::format("previous({})", experiment.chemicals[chemical].name);
     keeper.bounds = {-infinity, infinity};

@@ -45,7 +45,9 @@ std::optional<std::size_t> Script::find_field(std::string_view name) const {
 
 std::vector<std::string_view> Script::chemical_names() const {
     std::vector<std::string_view> names;
-    for (const Chemical& one : experiment.chemicals) names.push_back(one.name);
+    for (const Chemical& one : experiment.chemicals) {
+        if (!one.name.ends_with(')')) names.push_back(one.name);  // what previous() keeps has no name of the user's
+    }
     return names;
 }
 

@@ -30,7 +30,7 @@ Action parse_action(Script&, Cursor&, const Condition&);         // action.cpp
 Action parse_react(Script&, Cursor&);                            // react.cpp
 Operand parse_operand(Script&, Cursor&, std::string_view what);  // operand.cpp
 // What an expression may read depends on where it stands.
-enum class Scope { rule, field, start };
+enum class Scope { rule, field, start, picture };
 // Throws Error unless an expression comes next; it may be a number or a name alone.
 Expression parse_expression(Script&, Cursor&, Scope, std::string_view what);  // operand.cpp
 // Takes it into Experiment::expressions and gives its place there.

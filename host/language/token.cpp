@@ -11,19 +11,18 @@ bool blank(char c) { return c == ' ' || c == '\t'; }
 
 }  // namespace
 
-Cursor::Cursor(std::string_view source, std::size_t line, std::string_view text,
-               const std::vector<Parameter>& parameters)
-    : Cursor(source, line, text, &parameters, 0, text.size(), false) {}
+Cursor::Cursor(std::string where, std::size_t line, std::string_view text, const std::vector<Parameter>& parameters)
+    : Cursor(std::move(where), line, text, &parameters, 0, text.size(), false) {}
 
-Cursor::Cursor(std::string_view source, std::size_t line, std::string_view text,
-               const std::vector<Parameter>* parameters, std::size_t from, std::size_t to, bool commas)
-    : source_(source), line_(line), text_(text), parameters_(parameters) {
+Cursor::Cursor(std::string where, std::size_t line, std::string_view text, const std::vector<Parameter>* parameters,
+               std::size_t from, std::size_t to, bool commas)
+    : where_(std::move(where)), line_(line), text_(text), parameters_(parameters) {
     split(from, to, commas);
 }
 
 Cursor Cursor::inside(const Token& quoted) const {
     const std::size_t from = quoted.offset + 1;
-    return {source_, line_, text_, parameters_, from, from + quoted.text.size(), true};
+    return {where_, line_, text_, parameters_, from, from + quoted.text.size(), true};
 }
 
 void Cursor::split(std::size_t from, std::size_t to, bool commas) {

@@ -1,6 +1,7 @@
 // See evidence.hpp.
 #include "verify/evidence.hpp"
 
+#include "io/brush.hpp"
 #include "io/colour.hpp"
 #include "io/exr.hpp"
 #include "io/picture.hpp"

@@ -108,6 +108,21 @@ void draw_output(Draft& draft, const ChemicalDraft& chemical) {
     draft.line(words({"output", chemical.name, draft.shuffled(options)}));
 }
 
+// An expression through a colormap, or three of them: red, green and blue.
+void draw_formula(Draft& draft) {
+    Dice& dice = draft.dice;
+    const auto expression = [&] { return draw_expression(draft, ExpressionScope::rule, -0.5, 1.5); };
+    if (dice.chance(50)) {
+        const std::string red = expression();
+        const std::string green = expression();
+        return draft.line(words({"output", "rgb", red, green, expression(), "as", "colours"}));
+    }
+    std::vector<std::string> options{"as mixture"};
+    if (dice.chance(40)) options.push_back(range_word(draft));
+    const std::string drawn = expression();
+    draft.line(words({"output", drawn, draft.shuffled(options)}));
+}
+
 void draw_slot(Draft& draft) {
     Dice& dice = draft.dice;
     const std::size_t slot = dice.below(100);
@@ -145,6 +160,7 @@ void draw_pictures(Draft& draft) {
     if (dice.chance(15)) draw_slot(draft);
     const std::size_t outputs = dice.below(draft.chemicals.size() + 1);
     for (std::size_t i = 0; i < outputs; ++i) draw_output(draft, draft.chemicals[i]);
+    if (dice.chance(20)) draw_formula(draft);
     if (draft.lattice() && dice.chance(20)) draw_map(draft, draft.any_chemical());
     if (dice.chance(10)) {
         const std::size_t width = dice.from_to(1, 64);

@@ -101,6 +101,7 @@ public:
         if (at.text == "PI") return std::nullopt;
         return Operand{Quantity::x, 0.0, 0};
     }
+    std::vector<std::string_view> chemical_words() const override { return {}; }
     bool takes_chemical(std::string_view word) const override {
         return word == "diff" || word == "laplacian" || word.starts_with("gradient_");
     }
@@ -114,7 +115,7 @@ public:
 bool makes_sense(const std::string& text) {
     try {
         static const std::vector<Parameter> none;
-        const language::Cursor cursor("drawn", 1, text, none);
+        const language::Cursor cursor("drawn:1", 1, text, none);
         (void)language::read_expression(cursor, cursor.peek(), AnyNames());
         return true;
     } catch (const Error&) {

@@ -27,7 +27,7 @@ Snapshot state(const Experiment& experiment, std::uint64_t iteration, double val
 // Iterations of the states that are drawn anew, and the range of the first output for all of them.
 std::vector<std::uint64_t> redrawn(Reel& reel, ValueRange& range) {
     std::vector<std::uint64_t> all;
-    reel.redraw([&](const Snapshot& state, const SharedRanges& ranges) {
+    reel.redraw([&](const Snapshot& state, const SharedRanges& ranges, const auto&) {
         all.push_back(state.iteration);
         range = ranges.at(0).value();
         CHECK(state.conc[0].back() == static_cast<double>(state.iteration));
@@ -101,6 +101,29 @@ TEST_CASE("a reel knows which pictures it can draw anew") {
     CHECK(reel.can_redraw(4));
     CHECK_FALSE(reel.can_redraw(5));
     CHECK(Reel(folder.path(), own, "one", std::nullopt).can_redraw(5));
+}
+
+TEST_CASE("what an expression draws is kept as it was, whatever it reads") {
+    const test::Folder folder;
+    const std::string drawn = "output (U + AGE) as old\noutput rgb (U) (U) (U)\noutput V\n";
+    const Experiment experiment = parse_experiment(lattice + drawn, "t.pex", "");
+    {
+        Reel reel(folder.path(), experiment, "one", std::nullopt);
+        CHECK(reel.keep(as_its_iteration(experiment, 4)).at(0) == ValueRange{4, 8});
+    }
+    Reel reel(folder.path(), experiment, "one", 4);
+    const SharedRanges ranges = reel.keep(as_its_iteration(experiment, 40));
+    CHECK(ranges.at(0) == ValueRange{4, 80});
+    CHECK_FALSE(ranges.at(1).has_value());
+
+    std::size_t count = 0;
+    reel.redraw([&](const Snapshot& state, const SharedRanges&, const app::OutputValues& values) {
+        ++count;
+        CHECK(values.at(0) == std::vector<double>{4, 8, 8, 8, 8, 8});
+        CHECK_FALSE(values.at(2).has_value());
+        CHECK(state.conc[1].back() == 4.0);
+    });
+    CHECK(count == 1);
 }
 
 TEST_CASE("without an output that shares its range nothing is kept") {

@@ -1,6 +1,7 @@
 // Colormaps as published, named ones, and what lies outside.
 #include "io/colour.hpp"
 #include "core/error.hpp"
+#include "io/brush.hpp"
 #include "scratch.hpp"
 
 #include <catch2/catch.hpp>

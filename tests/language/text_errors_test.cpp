@@ -10,12 +10,12 @@ TEST_CASE("what is no line of the language says where and what is allowed") {
     const ErrorCase cases[] = {
         {grid, "defin chemical W",
          "t.pex:4:1: unknown word 'defin'; allowed here: define, use, create, set, rule, phase, snap, stop, colormap, "
-         "output, texture, zoom; did you mean 'define'?"},
+         "output, texture, zoom, include; did you mean 'define'?"},
         {grid, "Rule always and",
          "t.pex:4:1: unknown word 'Rule'; allowed here: define, use, create, set, rule, phase, snap, stop, colormap, "
-         "output, texture, zoom; did you mean 'rule'?"},
+         "output, texture, zoom, include; did you mean 'rule'?"},
         {grid, R"("define" chemical W)",
-         R"(t.pex:4:1: unknown word "define"; allowed here: define, use, create, set, rule, phase, snap, stop, colormap, output, texture, zoom)"},
+         R"(t.pex:4:1: unknown word "define"; allowed here: define, use, create, set, rule, phase, snap, stop, colormap, output, texture, zoom, include)"},
         {grid, "stop at 5\001", "t.pex:4:10: byte 0x01 is not allowed here; words are made of printable ASCII"},
         {grid, "stop at 5 \000"s, "t.pex:4:11: byte 0x00 is not allowed here; words are made of printable ASCII"},
         {grid, "d\303\251fine chemical W",

@@ -60,7 +60,7 @@ TEST_CASE("numbers are decimal, finite and within float") {
 }
 
 TEST_CASE("a line is split at blanks, quotes and comments") {
-    Cursor cursor("t.pex", 3, " a\t\"b // c\"d\"\"//e", no_parameters);
+    Cursor cursor("t.pex:3", 3, " a\t\"b // c\"d\"\"//e", no_parameters);
 
     CHECK(cursor.peek().text == "a");
     CHECK(cursor.place(cursor.next()).column == 2);
@@ -76,7 +76,7 @@ TEST_CASE("a line is split at blanks, quotes and comments") {
 }
 
 TEST_CASE("columns count characters, not bytes") {
-    Cursor cursor("t.pex", 1, "\"\xc3\xa9\xe2\x82\xac\" next", no_parameters);
+    Cursor cursor("t.pex:1", 1, "\"\xc3\xa9\xe2\x82\xac\" next", no_parameters);
 
     cursor.next();
 

@@ -54,7 +54,7 @@ std::vector<std::string> lines_of(const std::string& text) {
 // All of the language, but for the names of colours and for what belongs to a reaction.
 const char* const keywords_in_order =
     "!= < <= == > >= AGE BIRTH COLUMN COLUMNS ITERATION NEIGHBORS RANDOM ROW ROWS TIME X Y absorbing always and "
-    "anisotropic area at bicubic bilinear by cell cells centre change channel chemical color colormap columns conc "
+    "anisotropic area as at bicubic bilinear by cell cells centre change channel chemical color colormap columns conc "
     "create define dev diff direction distribution divide division_limit domain each every exit expand field first fit "
     "five-point fixed floor from gradient gray heat height hex_circle hex_grid if in inferno level limit linear "
     "magma map matrix moore move nearest nine-point no-flux none normal offset output packed parameter phase polarity "
@@ -145,6 +145,7 @@ TEST_CASE("The list of words is complete as far as the parser tells") {
         ask_parser(random_experiment(seed, limits), files.folder(), allowed);
     }
     for (const char* phrase : {"or", "the", "end", "of", "line"}) allowed.erase(phrase);
+    allowed.erase("include");  // it stands for lines, of which drawn texts have enough
 
     const std::set<std::string> known = keywords();
     CHECK(allowed.size() > 100);
@@ -165,7 +166,7 @@ TEST_CASE("Drawn texts are the same on every machine") {
     }
 
     // To be set anew when what is drawn changes, to what all compilers agree on.
-    CHECK(hash == 0xda5f62d5e0ba1af5u);
+    CHECK(hash == 0x5ae3575f5eb16fc5u);
 }
 
 TEST_CASE("Limits bound what is drawn") {

@@ -1,26 +1,12 @@
 // See traits.hpp.
 #include "opencl/lattice/traits.hpp"
 
+#include "core/adjacency.hpp"
 #include "opencl/lattice/emit_lattice.hpp"
 
 #include <fmt/format.h>
 
 namespace pelage {
-
-namespace {
-
-double neighbour_share(Stencil stencil, bool diagonal) {
-    switch (stencil) {
-        case Stencil::nine_point:
-            return diagonal ? 1.0 / 6 : 4.0 / 6;
-        case Stencil::sims:
-            return diagonal ? 0.05 : 0.2;
-        default:
-            return 1.0;
-    }
-}
-
-}  // namespace
 
 LatticeTraits::LatticeTraits(const Experiment& experiment, const LatticePlan& plan, const RuleUse& use)
     : experiment_(experiment), plan_(plan), use_(use) {}
