@@ -29,6 +29,7 @@ struct Tally {
     SearchStatistics growing;        // those of them taken while cells divided
     SearchStatistics search;         // samples of an approximate neighbour search; none of an exact one
     std::vector<std::string> notes;  // how iterations were carried out
+    std::optional<ProgramCounts> programs;
     double updates_per_second() const { return seconds > 0 ? updates / seconds : 0; }
 };
 

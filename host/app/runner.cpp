@@ -84,6 +84,7 @@ private:
         size_.took(count, seconds);
         tally_.seconds += seconds;
         tally_.notes = tissue_.report();
+        tally_.programs = tissue_.programs();
         tally_.updates += static_cast<double>(count) * (cells_before + static_cast<double>(tissue_.cells())) / 2;
         progress_.show(experiment_.phase_at(first).name, tissue_.iteration(), tally_.updates);
         return breakdown;
@@ -180,6 +181,11 @@ private:
              megas(tally_.updates_per_second()));
         for (const std::string& note : tally_.notes) {
             if (options_.explain) say("{}\n", note);
+        }
+        if (options_.explain && tally_.programs) {
+            say("{}: {} compiled, {} from the cache\n",
+                counted(tally_.programs->compiled + tally_.programs->cached, "program"), tally_.programs->compiled,
+                tally_.programs->cached);
         }
         if (!options_.quiet) say("Results are in {}\n", recorder_.folder().string());
         return success;

@@ -3,6 +3,7 @@
 // bounds 2 a field.
 #include "bench/cases.hpp"
 
+#include "bench/formula_cases.hpp"
 #include "language/parse.hpp"
 
 #include <fmt/format.h>
@@ -228,7 +229,7 @@ std::vector<Case> growth_cases() {
 const std::vector<Case>& all_cases() {
     static const std::vector<Case> cases = [] {
         std::vector<Case> list;
-        for (const auto& part : {lattice_cases(), cell_cases(), neighbour_cases(), growth_cases()}) {
+        for (const auto& part : {lattice_cases(), formula_cases(), cell_cases(), neighbour_cases(), growth_cases()}) {
             list.insert(list.end(), part.begin(), part.end());
         }
         return list;

@@ -24,6 +24,11 @@ struct NonFinite {  // a concentration that is NaN or infinite
     std::size_t cell = 0;
 };
 
+struct ProgramCounts {         // for a device
+    std::size_t compiled = 0;  // anew
+    std::size_t cached = 0;    // compiled by an earlier run, and kept
+};
+
 // One running simulation. advance(a); advance(b) gives the bits of advance(a + b), on every backend.
 // What only some tissues can do is an interface of its own: core/growable.hpp, core/searching.hpp.
 // Public calls check their arguments once for all backends; the virtual calls below them do the work.
@@ -54,6 +59,8 @@ public:
 
     // How iterations have been carried out so far, a sentence each; empty where there is nothing to tell.
     virtual std::vector<std::string> report() const { return {}; }
+    // The programs that its device runs; empty where there are none.
+    virtual std::optional<ProgramCounts> programs() const { return {}; }
 
 protected:
     // Takes iteration and shape from `initial`; the derived class takes the arrays.

@@ -60,7 +60,7 @@ private:
     }
 
     void include(std::string_view line, const fs::path& folder) {
-        static const std::vector<Parameter> none;
+        const std::vector<Parameter> none;
         constexpr std::size_t deepest = 16;
         Cursor cursor(joined_.where(line_), line_, line, none);
         cursor.expect(word);

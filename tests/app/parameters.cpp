@@ -53,6 +53,25 @@ TEST_CASE("what is set gives the bits of the same experiment written so, and the
     CHECK_THAT(manifest.at("options").at("set").get<std::string>(), Contains("feed=0.05"));
 }
 
+TEST_CASE("another value of a parameter compiles nothing anew") {
+    const Folder folder;
+    const std::string file = folder.write(
+        "named.pex",
+        text + "define parameter wave 11\nrule always change U conc (0.01 * sin(X / wave) + RANDOM * feed)\n");
+    const auto programs = [&](const std::string& feed, const std::string& wave) {
+        const Outcome run = command({"run", file, "--set", "feed=" + feed, "--set", "wave=" + wave, "--explain",
+                                     "--no-self-test", "--out", (folder / (feed + wave)).string()});
+        INFO(run.err);
+        REQUIRE(run.exit_code == 0);
+        const std::size_t at = run.out.find(" compiled, ");
+        REQUIRE(at != std::string::npos);
+        return run.out.substr(run.out.rfind('\n', at) + 1, run.out.find('\n', at) - run.out.rfind('\n', at) - 1);
+    };
+    (void)programs("0.05", "11");
+    const std::string again = programs("0.06", "7");
+    CHECK_THAT(again, Contains(": 0 compiled, ") && !Contains(" 0 from the cache"));
+}
+
 TEST_CASE("a run is resumed with what was set, and refused with anything else") {
     const Folder folder;
     const std::string file = folder.write("named.pex", text);

@@ -31,7 +31,8 @@ std::size_t named_in(const std::string& text) {
 
 // Text and code that may name every reaction: their formulas worked by hand, and what draws the same for ever.
 const std::vector<std::filesystem::path> may_list{"tests/reference/reactions.cpp", "tests/random_experiments/texts.cpp",
-                                                  "tests/opencl/formulas.cpp", "tests/fuzz/corpus/reactions.pex"};
+                                                  "tests/opencl/formulas.cpp", "host/bench/formula_cases.cpp",
+                                                  "tests/fuzz/corpus/reactions.pex"};
 
 }  // namespace
 

@@ -60,6 +60,7 @@ public:
                 const Snapshot& initial, const CellsOptions& options);
 
     std::optional<SearchStatistics> search_statistics() const override;
+    std::optional<ProgramCounts> programs() const override { return session_->program_counts(); }
 
 private:
     std::size_t do_cells() const override { return static_cast<std::size_t>(state_.cells()); }

@@ -149,8 +149,11 @@ void keep(Program& program) {
 
 }  // namespace
 
-void build_with_kept(const Session& session, const CacheKey& plain, const std::function<void()>& build) {
-    if (pocl_folder().empty()) return build();
+bool build_with_kept(const Session& session, const CacheKey& plain, const std::function<void()>& build) {
+    if (pocl_folder().empty()) {
+        build();
+        return true;
+    }
     Store& kept = store();
     const std::lock_guard lock(kept.guard);
     const CacheKey key = folder_key(plain);
@@ -158,10 +161,14 @@ void build_with_kept(const Session& session, const CacheKey& plain, const std::f
     if (!kept.programs.contains(name)) put_back(key);
     const std::set<fs::path> before = program_folders();
     build();
+    bool compiled = false;
     for (const fs::path& folder : program_folders()) {
-        if (!before.contains(folder)) kept.programs[name] = {key, folder, 0};
+        if (before.contains(folder)) continue;
+        kept.programs[name] = {key, folder, 0};
+        compiled = true;
     }
     kept.built.emplace(&session, name);
+    return compiled;
 }
 
 void keep_compiled(const Session& session) {

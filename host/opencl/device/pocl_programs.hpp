@@ -12,7 +12,7 @@ class Session;
 
 // Carries out `build`, PoCL's build of the program that `key` stands for, after putting back what is kept of it. One
 // thread at a time: PoCL's new folder is known by being new.
-void build_with_kept(const Session&, const CacheKey& key, const std::function<void()>& build);
+bool build_with_kept(const Session&, const CacheKey& key, const std::function<void()>& build);
 
 // Keeps what has been compiled since of the programs that this session built, which must have come to rest.
 void keep_compiled(const Session&);

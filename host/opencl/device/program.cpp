@@ -138,20 +138,21 @@ Source& Source::text(const std::string& emitted) {
     return *this;
 }
 
-cl::Program build_program(const Session& session, const std::string& source, const std::string& options) {
-    return with_device(session.info().name, [&] {
+BuiltProgram build_program(const Session& session, const std::string& source, const std::string& options) {
+    return with_device(session.info().name, [&]() -> BuiltProgram {
         const DeviceInfo& info = session.info();
-        if (!session.options().use_cache) return from_source(session, source, options);
+        if (!session.options().use_cache) return {from_source(session, source, options)};
         const CacheKey key{source, options, info.name, info.version, info.driver, info.platform_version};
         if (info.platform == pocl_platform && !session.options().cache_twice) {
             cl::Program program;
-            build_with_kept(session, key, [&] { program = from_source(session, source, options); });
-            return program;
+            const bool compiled =
+                build_with_kept(session, key, [&] { program = from_source(session, source, options); });
+            return {program, compiled};
         }
-        if (auto program = from_cache(session, key, options)) return std::move(*program);
+        if (auto program = from_cache(session, key, options)) return {std::move(*program), false};
         cl::Program program = from_source(session, source, options);
         keep_binary(program, key);
-        return program;
+        return {program};
     });
 }
 

@@ -28,8 +28,13 @@ private:
     std::string text_;
 };
 
+struct BuiltProgram {
+    cl::Program program;
+    bool compiled = true;  // else an earlier build was kept
+};
+
 // Builds with `options`, from the session's cache when it can. When the device's compiler refuses, throws Error with
 // device, options, build log and the path of the source, which is written to the temporary folder.
-cl::Program build_program(const Session&, const std::string& source, const std::string& options);
+BuiltProgram build_program(const Session&, const std::string& source, const std::string& options);
 
 }  // namespace pelage

@@ -43,7 +43,14 @@ cl::Program Session::build(const std::string& source, const std::string& more) c
     const std::lock_guard lock(building_);
     const auto known = programs_.find(key);
     if (known != programs_.end()) return known->second;
-    return programs_.emplace(key, build_program(*this, source, options)).first->second;
+    const BuiltProgram built = build_program(*this, source, options);
+    ++(built.compiled ? counts_.compiled : counts_.cached);
+    return programs_.emplace(key, built.program).first->second;
+}
+
+ProgramCounts Session::program_counts() const {
+    const std::lock_guard lock(building_);
+    return counts_;
 }
 
 std::size_t Session::programs() const {

@@ -1,6 +1,7 @@
 // One device made ready for work: context, queue, and how programs are built for it.
 #pragma once
 
+#include "core/tissue.hpp"
 #include "opencl/device/cl.hpp"
 #include "opencl/device/device.hpp"
 #include "opencl/device/guards.hpp"
@@ -37,6 +38,7 @@ public:
     // out again. Throws Error when the build fails; see program.hpp.
     cl::Program build(const std::string& source, const std::string& more = "") const;
     std::size_t programs() const;  // built so far, all different
+    ProgramCounts program_counts() const;
 
     // Throws Error when one buffer of that many bytes cannot be had on the device. `what` names its contents.
     cl::Buffer buffer(std::size_t bytes, const std::string& what, cl_mem_flags flags = CL_MEM_READ_WRITE) const;
@@ -57,6 +59,7 @@ private:
     std::unique_ptr<Guards> guards_;  // none: not guarded
     mutable std::mutex building_;
     mutable std::map<std::string, cl::Program> programs_;  // by options and source
+    mutable ProgramCounts counts_;                         // of them
 };
 
 }  // namespace pelage

@@ -55,6 +55,7 @@ public:
     }
 
     std::vector<std::string> report() const override { return notes_; }
+    std::optional<ProgramCounts> programs() const override { return session_->program_counts(); }
 
 private:
     static constexpr std::size_t most_notes = 64;
