@@ -2,6 +2,7 @@
 #include "app/prepare.hpp"
 
 #include "app/ledger.hpp"
+#include "app/random_settings.hpp"
 #include "app/read_experiment.hpp"
 #include "app/settings.hpp"
 #include "core/error.hpp"
@@ -56,6 +57,17 @@ void recall_inputs(Experiment& experiment, const RunOptions& options) {
     }
 }
 
+// Drawn ones first, so that --set prevails.
+std::vector<Setting> all_settings(const RunOptions& options) {
+    std::vector<Setting> settings = settings_of(options.settings);
+    if (!options.random) return settings;
+    if (options.file == standard_input) throw Error("--random reads the experiment twice; give a file, not '-'");
+    const Experiment plain = read_experiment(options.file, nullptr, StartPictures::left_out, settings);
+    std::vector<Setting> all = random_settings(plain, *options.random);
+    all.insert(all.end(), settings.begin(), settings.end());
+    return all;
+}
+
 }  // namespace
 
 Prepared prepare(const RunOptions& options) {
@@ -65,7 +77,7 @@ Prepared prepare(const RunOptions& options) {
     Experiment& experiment = prepared.experiment;
     Outline outline;
     experiment = read_experiment(options.file, &outline, checkpoint ? StartPictures::left_out : StartPictures::read,
-                                 settings_of(options.settings));
+                                 all_settings(options));
     if (options.seed) experiment.seed = options.seed;
     settle_seed(experiment, checkpoint ? checkpoint->info.seed : seed_from_clock());
     prepared.last = options.iterations.value_or(experiment.last_iteration());

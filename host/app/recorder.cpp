@@ -2,6 +2,7 @@
 #include "app/recorder.hpp"
 
 #include "core/forecast.hpp"
+#include "io/atomic_file.hpp"
 #include "io/checkpoint.hpp"
 #include "io/picture.hpp"
 
@@ -155,6 +156,14 @@ Manifest Recorder::facts() const {
     return manifest;
 }
 
+void Recorder::write_drawn() {
+    const std::string name = "drawn.pex";
+    ledger_.begin({name});
+    AtomicFile file(folder_ / name);
+    file.write(experiment_.text);
+    file.commit();
+}
+
 void Recorder::manifest(const Snapshot& state, const Tally& tally, const char* end) {
     Manifest manifest = facts();
     manifest.iterations = state.iteration;
@@ -164,6 +173,7 @@ void Recorder::manifest(const Snapshot& state, const Tally& tally, const char* e
     manifest.rows = state.rows;
     manifest.seconds = tally.seconds;
     manifest.updates_per_second = tally.updates_per_second();
+    if (options_.random) write_drawn();
     manifest.files = ledger_.files();
     manifest.more_texts["end"] = end;
     if (!tally.notes.empty()) manifest.more_texts["fusion"] = fmt::format("{}", fmt::join(tally.notes, "; "));

@@ -56,6 +56,7 @@ public:
 private:
     void write(const Snapshot&, const std::string& stem, const SharedRanges&, const std::vector<Format>&);
     std::filesystem::path save(const Snapshot&, const char* name) const;
+    void write_drawn();  // the experiment that --random drew
     std::string lost_colours() const;
     Manifest facts() const;  // those of the run that do not change
 

@@ -93,6 +93,13 @@ void add_kernel_options(CLI::App& command, RunOptions& options) {
 void add_course_options(CLI::App& command, RunOptions& options) {
     add_settings(command, options.settings);
     command
+        .add_option(
+            "--random", options.random,
+            "Draw every parameter that has a range, within it: the same N draws the same. The experiment drawn is "
+            "DIR/drawn.pex")
+        ->type_name("N")
+        ->transform(count_from(0));
+    command
         .add_option("--iterations", options.iterations,
                     "Iterations to end at, counted from 0, resumed runs too. Default: as the experiment says")
         ->type_name("N")

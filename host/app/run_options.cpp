@@ -22,7 +22,8 @@ std::vector<Format> RunOptions::format_list() const { return parse_formats(forma
 
 std::filesystem::path RunOptions::folder() const {
     if (!out.empty()) return out;
-    return std::filesystem::path("out") / (file == standard_input ? "stdin" : file.stem());
+    const std::string name = file == standard_input ? "stdin" : file.stem().string();
+    return std::filesystem::path("out") / (random ? fmt::format("{}-{}", name, *random) : name);
 }
 
 std::string shell_quoted(const std::string& word) {
@@ -46,6 +47,7 @@ std::string resume_command(const RunOptions& options, const std::filesystem::pat
     add("--neighbours", options.neighbours == "bins" ? "" : options.neighbours);
     if (options.sorting.window != SpatialSorting{}.window) add("--window", std::to_string(options.sorting.window));
     for (const std::string& setting : options.settings) add("--set", setting);
+    if (options.random) add("--random", std::to_string(*options.random));
     if (options.iterations) add("--iterations", std::to_string(*options.iterations));
     add("--seed", std::to_string(seed));
     add("--out", options.folder().string());

@@ -22,7 +22,8 @@ struct RunOptions {
     Precision precision = Precision::single_;
     std::string neighbours = "bins";  // search of free cells: bins, kd-tree or spatial-sorting
     SpatialSorting sorting;
-    std::vector<std::string> settings;  // NAME=VALUE
+    std::vector<std::string> settings;    // NAME=VALUE
+    std::optional<std::uint64_t> random;  // draw of all parameters that have ranges
     std::optional<std::uint64_t> iterations;
     std::optional<std::int64_t> seed;
     std::filesystem::path out;  // empty: out/STEM of the file

@@ -26,14 +26,17 @@ void add(LatticeAdjacency& made, const Lattice& lattice, std::size_t column, std
     if (outside && lattice.boundary != Boundary::absorbing) return;
     made.indices.push_back(outside ? Adjacency::nobody
                                    : static_cast<std::uint32_t>(*there * lattice.columns + *across));
-    made.weights.push_back(neighbour_share(lattice.stencil, diagonal));
+    made.weights.push_back(neighbour_share(lattice, to));
     made.directions.push_back(to);
 }
 
 }  // namespace
 
-double neighbour_share(Stencil stencil, bool diagonal) {
-    switch (stencil) {
+double neighbour_share(const Lattice& lattice, Direction to) {
+    const bool diagonal = to.up != 0 && to.right != 0;
+    switch (lattice.stencil) {
+        case Stencil::own:
+            return lattice.weights[static_cast<std::size_t>(3 * (1 - to.up) + 1 + to.right)];
         case Stencil::nine_point:
             return diagonal ? 1.0 / 6 : 4.0 / 6;
         case Stencil::sims:
@@ -58,7 +61,7 @@ LatticeAdjacency lattice_adjacency(const Lattice& lattice) {
         for (std::size_t column = 0; column < lattice.columns; ++column) {
             for (const int up : order) {
                 for (const int right : {-1, 0, 1}) {
-                    add(made, lattice, column, row, {static_cast<std::int8_t>(right), static_cast<std::int8_t>(up)});
+                    add(made, lattice, column, row, direction(right, up));
                 }
             }
             made.offsets.push_back(made.indices.size());

@@ -27,13 +27,14 @@ struct Direction {
     std::int8_t right = 0;
     std::int8_t up = 0;
 };
+constexpr Direction direction(int right, int up) { return {static_cast<std::int8_t>(right), static_cast<std::int8_t>(up)}; }
+
+// A neighbour's weight in the lattice's stencil; five_point has no diagonal ones.
+double neighbour_share(const Lattice&, Direction);
 
 struct LatticeAdjacency : Adjacency {
     std::vector<Direction> directions;  // one an entry
 };
-
-// A neighbour's weight in a stencil; five_point has no diagonal ones.
-double neighbour_share(Stencil, bool diagonal);
 
 // The eight neighbours of each cell, or four under five_point; beyond an edge that lets nothing through there is none.
 LatticeAdjacency lattice_adjacency(const Lattice&);

@@ -30,8 +30,13 @@ enum class Stencil {
     moore,       // eight neighbours, weight 1 each (Malheiros & Walter 2017)
     nine_point,  // [1 4 1; 4 -20 4; 1 4 1] / 6, isotropic (Malheiros, Fensterseifer & Walter 2020)
     five_point,  // four edge neighbours, weight 1 each
-    sims         // 0.2 along edges, 0.05 along diagonals (Sims; McConnell 2024)
+    sims,        // 0.2 along edges, 0.05 along diagonals (Sims; McConnell 2024)
+    own          // Experiment::weights
 };
+
+// Of a stencil of the user's own: three rows from the upper to the lower one, each from left to right. The middle is
+// minus the sum of the others. They need not be symmetric, and may be negative.
+using StencilWeights = std::array<double, 9>;
 
 enum class Boundary {
     no_flux,   // the edge element repeats itself outward
@@ -340,6 +345,7 @@ struct Experiment {
     std::vector<Phase> phases;
 
     Stencil stencil = Stencil::nine_point;  // of a matrix; a sqr_grid is always moore
+    StencilWeights weights{};               // of Stencil::own
     Domain domain;
     std::size_t division_limit = 0;  // a cell with more neighbours does not divide; 0: no limit
 

@@ -29,7 +29,9 @@ bool prepattern_varies_rate(const Experiment& experiment, std::size_t chemical) 
 RateKind lattice_rate(const Experiment& experiment, const Snapshot& initial, std::size_t chemical) {
     if (experiment.chemicals[chemical].anisotropic || prepattern_varies_rate(experiment, chemical))
         return RateKind::per_cell;
-    return rate_kind(experiment, initial.diff[chemical], chemical);
+    const RateKind kind = rate_kind(experiment, initial.diff[chemical], chemical);
+    // Sums of rows are for stencils with two weights: one's own goes from neighbour to neighbour.
+    return kind == RateKind::uniform && experiment.stencil == Stencil::own ? RateKind::per_cell : kind;
 }
 
 bool uses_polarity(const Experiment& experiment, const Snapshot& initial) {

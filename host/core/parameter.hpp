@@ -15,8 +15,9 @@ struct Parameter {
     double usual = 0.0;  // as the experiment was written, before anything was set
     double low = -std::numeric_limits<double>::infinity();
     double high = std::numeric_limits<double>::infinity();
-    std::string meaning;   // may be empty
-    std::size_t line = 0;  // of the file
+    std::string meaning;         // may be empty
+    std::size_t line = 0;        // of the file
+    mutable bool whole = false;  // some statement takes it for a whole number; told while the file is being read
 };
 
 // A value given for a parameter from outside, both as written.

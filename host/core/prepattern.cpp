@@ -202,11 +202,12 @@ private:
         return fields_;
     }
 
-    // Of all cells that there are. `nth`: which of the statement's expressions it is, for its draws.
-    std::vector<double> values(std::size_t expression, std::uint32_t nth) {
+    // Of the cells from `first` on. `nth`: which of the statement's expressions it is, for its draws.
+    std::vector<double> values(std::size_t expression, std::uint32_t nth, std::size_t first = 0) {
         Scene scene;
-        scene.x = state_.x;
-        scene.y = state_.y;
+        scene.first = first;
+        scene.x.assign(state_.x.begin() + static_cast<std::ptrdiff_t>(first), state_.x.end());
+        scene.y.assign(state_.y.begin() + static_cast<std::ptrdiff_t>(first), state_.y.end());
         scene.fields = &fields_for(scene);
         scene.conc = &state_.conc;
         scene.diff = &state_.diff;
@@ -223,11 +224,11 @@ private:
         const Spread& spread = (rate ? diff_ : conc_)[chemical];
         if (!spread.expression) return;
         const std::vector<double> found =
-            values(*spread.expression, static_cast<std::uint32_t>(2 * chemical + (rate ? 1 : 0)));
+            values(*spread.expression, static_cast<std::uint32_t>(2 * chemical + (rate ? 1 : 0)), first);
         std::vector<double>& column = (rate ? state_.diff : state_.conc)[chemical];
         for (std::size_t cell = first; cell < column.size(); ++cell) {
-            judge(*spread.expression, chemical, rate, found[cell], cell);
-            column[cell] = found[cell];
+            judge(*spread.expression, chemical, rate, found[cell - first], cell);
+            column[cell] = found[cell - first];
         }
     }
 

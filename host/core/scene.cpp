@@ -23,9 +23,8 @@ public:
         double sum = 0.0;
         for (const int up : {-1, 0, 1}) {
             for (const int right : {-1, 0, 1}) {
-                const bool diagonal = up != 0 && right != 0;
-                if (diagonal && lattice_.stencil == Stencil::five_point) continue;
-                sum += neighbour_share(lattice_.stencil, diagonal) * difference(cell, right, up);
+                if (up != 0 && right != 0 && lattice_.stencil == Stencil::five_point) continue;
+                sum += neighbour_share(lattice_, direction(right, up)) * difference(cell, right, up);
             }
         }
         return sum;
@@ -79,10 +78,10 @@ public:
                     return (*scene_.fields)[operand.index];
                 break;
             case Quantity::concentration:
-                if (scene_.conc != nullptr) return scene_.conc->at(operand.index);
+                if (scene_.conc != nullptr) return part(scene_.conc->at(operand.index));
                 break;
             case Quantity::rate:
-                if (scene_.diff != nullptr) return scene_.diff->at(operand.index);
+                if (scene_.diff != nullptr) return part(scene_.diff->at(operand.index));
                 break;
             default:
                 if (scene_.state != nullptr) return of_state(operand);
@@ -92,6 +91,11 @@ public:
     }
 
 private:
+    std::vector<double> part(const std::vector<double>& of_all) const {
+        const auto first = of_all.begin() + static_cast<std::ptrdiff_t>(scene_.first);
+        return {first, first + static_cast<std::ptrdiff_t>(scene_.cells())};
+    }
+
     std::vector<double> of_state(const Operand& operand) const {
         const Snapshot& state = *scene_.state;
         switch (operand.quantity) {
@@ -130,7 +134,8 @@ private:
 
     std::vector<double> draws(std::uint32_t nth) const {
         return each([&](std::size_t cell) {
-            const auto words = counted_words(cell, 0, scene_.place, scene_.purpose + 16 * (nth / 4), scene_.seed);
+            const auto words =
+                counted_words(scene_.first + cell, 0, scene_.place, scene_.purpose + 16 * (nth / 4), scene_.seed);
             return unit_uniform<double>(words[nth % 4]);
         });
     }

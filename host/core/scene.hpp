@@ -15,10 +15,11 @@ namespace pelage {
 struct Scene {
     std::size_t columns = 0;  // 0 for free cells
     std::size_t rows = 0;
+    std::size_t first = 0;  // id of the first cell that is looked at
     std::vector<double> x, y;
     // What may be read; null: none of it.
-    const std::vector<std::vector<double>>* fields = nullptr;  // [field][cell]
-    const std::vector<std::vector<double>>* conc = nullptr;    // [chemical][cell]
+    const std::vector<std::vector<double>>* fields = nullptr;  // [field][cell], of those that are looked at
+    const std::vector<std::vector<double>>* conc = nullptr;    // [chemical][id]
     const std::vector<std::vector<double>>* diff = nullptr;
     const Snapshot* state = nullptr;   // mappings, births, neighbours
     double time = 0.0;                 // of the state

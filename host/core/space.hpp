@@ -22,7 +22,8 @@ struct Lattice {
     Boundary boundary = Boundary::no_flux;
     Stencil stencil = Stencil::nine_point;
     Arithmetic arithmetic = Arithmetic::fused;
-    bool expandable = false;  // `expand` may insert columns and rows
+    bool expandable = false;   // `expand` may insert columns and rows
+    StencilWeights weights{};  // of Stencil::own
 };
 
 // Cells with centres anywhere in the plane; those nearer than 3 radii are neighbours.

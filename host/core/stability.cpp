@@ -1,10 +1,13 @@
 // See stability.hpp.
 #include "core/stability.hpp"
 
-#include "core/space.hpp"
+#include "core/adjacency.hpp"
 #include "core/visit.hpp"
 
 #include <algorithm>
+#include <complex>
+#include <limits>
+#include <numbers>
 
 namespace pelage {
 
@@ -18,8 +21,34 @@ double stiffness(Stencil stencil) {
             return 8.0;  // at (pi, pi)
         case Stencil::sims:
             return 1.6;  // at (pi, pi): 1 + 0.8 - 0.2
+        case Stencil::own:
+            break;
     }
     return 0.0;
+}
+
+double stiffness(const Lattice& lattice) {
+    if (lattice.stencil != Stencil::own) return stiffness(lattice.stencil);
+    // |1 + h l| <= 1 for the eigenvalue l of each wave: h <= -2 Re l / |l|^2.
+    constexpr int waves = 64;
+    double largest = 0.0;
+    for (int kx = -waves + 1; kx <= waves; ++kx) {
+        for (int ky = -waves + 1; ky <= waves; ++ky) {
+            std::complex<double> eigenvalue = 0.0;
+            for (const int up : {-1, 0, 1}) {
+                for (const int right : {-1, 0, 1}) {
+                    const double phase = std::numbers::pi * (kx * right + ky * up) / waves;
+                    if (up != 0 || right != 0)
+                        eigenvalue += neighbour_share(lattice, direction(right, up)) * (std::polar(1.0, phase) - 1.0);
+                }
+            }
+            const double size = std::norm(eigenvalue);
+            if (size < 1e-24) continue;
+            if (eigenvalue.real() >= 0.0) return std::numeric_limits<double>::infinity();
+            largest = std::max(largest, size / -eigenvalue.real());
+        }
+    }
+    return largest;
 }
 
 namespace {
@@ -28,7 +57,7 @@ namespace {
 constexpr double hexagonal_stiffness = 9.0;
 
 double stiffness(const Space& space) {
-    return std::visit(Overloaded{[](const Lattice& lattice) { return stiffness(lattice.stencil); },
+    return std::visit(Overloaded{[](const Lattice& lattice) { return stiffness(lattice); },
                                  [](const FreeCells&) { return hexagonal_stiffness; }},
                       space);
 }

@@ -3,6 +3,7 @@
 
 #include "core/experiment.hpp"
 #include "core/snapshot.hpp"
+#include "core/space.hpp"
 
 #include <optional>
 #include <string>
@@ -18,7 +19,10 @@ struct Instability {
 };
 
 // Largest eigenvalue of minus the stencil on an endless lattice.
-double stiffness(Stencil);
+double stiffness(Stencil);  // of one that has a name
+// Of any lattice's: twice the inverse of the largest rate times time step under which no wave grows; infinity where
+// each makes some wave grow.
+double stiffness(const Lattice&);
 
 // The first phase and chemical whose positive rates break the limit; empty: stable. Rates that rules change
 // during the run cannot be foreseen and are not judged.

@@ -2,6 +2,7 @@
 #include "language/cursor.hpp"
 
 #include "language/expression.hpp"
+#include "language/pieces.hpp"
 
 #include <fmt/format.h>
 
@@ -161,10 +162,17 @@ double Cursor::number(std::string_view what, Range range) {
     return *value;
 }
 
+void Cursor::note_whole() const {
+    for (const Parameter& one : *parameters_) {
+        if (is_expression(peek()) ? names_word(peek().text, one.name) : peek().text == one.name) one.whole = true;
+    }
+}
+
 // Empty where it does not fit the type.
 template <class Integer>
 std::optional<Integer> Cursor::integer_here(std::string_view what, std::string_view kind) const {
     if (const auto computed = computed_here()) {
+        note_whole();
         if (std::floor(*computed) != *computed) needs(peek(), "is not a whole number", what, kind);
         if (std::fabs(*computed) >= largest_whole) needs(peek(), "is too large to be exact", what, kind);
         return to_integer<Integer>(fmt::format("{:.0f}", *computed));

@@ -89,6 +89,7 @@ private:
     std::size_t end_of_word(std::size_t at, std::size_t to, bool commas) const;
     std::size_t end_of_expression(std::size_t at, std::size_t to) const;
     std::optional<double> computed_here() const;
+    void note_whole() const;  // of the parameters that the value here names
     std::optional<double> number_here() const;
     template <class Integer>
     std::optional<Integer> integer_here(std::string_view what, std::string_view kind) const;

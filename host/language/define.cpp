@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 
 #include <array>
+#include <cmath>
 #include <limits>
 
 namespace pelage::language {
@@ -105,10 +106,31 @@ void parse_domain(Script& script, Cursor& cursor) {
     domain.height = cursor.number("the domain's height", positive);
 }
 
+// Nine numbers, the upper row first.
+StencilWeights parse_weights(Cursor& cursor) {
+    const Token& first = cursor.peek();
+    StencilWeights weights{};
+    double sum = 0.0, size = 0.0;
+    for (double& weight : weights) {
+        weight = cursor.number("one of nine weights");
+        sum += weight;
+        size += std::fabs(weight);
+    }
+    if (size == 0.0) cursor.fail(first, "all weights are 0: nothing would diffuse");
+    if (std::fabs(sum) > 1e-6 * size)
+        cursor.fail(first,
+                    fmt::format("the weights add up to {:g}; diffusion makes nothing: the one in the middle must be "
+                                "minus the sum of the others, {:g}",
+                                sum, weights[4] - sum));
+    return weights;
+}
+
 void parse_stencil(Script& script, Cursor& cursor, const Token& word) {
-    static constexpr std::array<std::string_view, 4> words{"moore", "nine-point", "five-point", "sims"};
-    static constexpr std::array stencils{Stencil::moore, Stencil::nine_point, Stencil::five_point, Stencil::sims};
+    static constexpr std::array<std::string_view, 5> words{"moore", "nine-point", "five-point", "sims", "3x3"};
+    static constexpr std::array stencils{Stencil::moore, Stencil::nine_point, Stencil::five_point, Stencil::sims,
+                                         Stencil::own};
     script.experiment.stencil = stencils[cursor.choose(words)];
+    if (script.experiment.stencil == Stencil::own) script.experiment.weights = parse_weights(cursor);
     script.needs_matrix(cursor, word);
 }
 

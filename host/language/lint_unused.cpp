@@ -204,15 +204,6 @@ void find_equal_outputs(const Sheet& sheet, Reporter& report) {
     }
 }
 
-// Whether the name stands in the text, with nothing before or behind that would make it another one.
-bool names_word(std::string_view text, std::string_view name) {
-    const auto part = [&](std::size_t at) { return at < text.size() && in_name(text[at]); };
-    for (std::size_t at = text.find(name); at != std::string_view::npos; at = text.find(name, at + 1)) {
-        if ((at == 0 || !part(at - 1)) && !part(at + name.size())) return true;
-    }
-    return false;
-}
-
 void find_unused_parameters(const Sheet& sheet, Reporter& report) {
     const auto names = [&](const Outline::Statement& statement, const Parameter& parameter) {
         Cursor words = sheet.read(statement.line);

@@ -11,6 +11,14 @@ bool is_digit(char c) { return c >= '0' && c <= '9'; }
 bool starts_name(char c) { return std::isalpha(static_cast<unsigned char>(c)) != 0 || c == '_'; }
 bool in_name(char c) { return std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '_'; }
 
+bool names_word(std::string_view text, std::string_view name) {
+    const auto part = [&](std::size_t at) { return at < text.size() && in_name(text[at]); };
+    for (std::size_t at = text.find(name); at != std::string_view::npos; at = text.find(name, at + 1)) {
+        if ((at == 0 || !part(at - 1)) && !part(at + name.size())) return true;
+    }
+    return false;
+}
+
 Pieces::Pieces(const Cursor& cursor, const Token& expression, const Names& names)
     : cursor_(cursor), text_(expression.text), offset_(expression.offset), names_(names) {
     advance();

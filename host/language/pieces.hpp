@@ -12,6 +12,9 @@ bool is_digit(char);
 bool starts_name(char);
 bool in_name(char);
 
+// Whether the name stands in the text, with nothing before or behind that would make it another one.
+bool names_word(std::string_view text, std::string_view name);
+
 class Pieces {
 public:
     Pieces(const Cursor& cursor, const Token& expression, const Names& names);

@@ -32,6 +32,8 @@ const char* word(Stencil stencil) {
             return "five-point";
         case Stencil::sims:
             return "sims";
+        case Stencil::own:
+            return "own-weights";
     }
     return "?";
 }
@@ -44,7 +46,7 @@ std::vector<Size> few_sizes() { return {{1, 1}, {2, 3}, {1, 5}, {19, 1}, {37, 29
 
 namespace {
 
-constexpr Stencil stencils[] = {Stencil::nine_point, Stencil::moore, Stencil::five_point, Stencil::sims};
+constexpr Stencil stencils[] = {Stencil::nine_point, Stencil::moore, Stencil::five_point, Stencil::sims, Stencil::own};
 constexpr Boundary boundaries[] = {Boundary::no_flux, Boundary::wrap, Boundary::absorbing};
 
 // U knows no bounds, V is held between two.
@@ -143,7 +145,8 @@ std::vector<Case> rate_cases() {
     };
     for (const Stencil stencil : stencils) {
         for (const Boundary boundary : boundaries) {
-            if (stencil == Stencil::sims && boundary != Boundary::absorbing) continue;  // as nine-point, other weights
+            const bool like_nine_point = stencil == Stencil::sims || stencil == Stencil::own;  // but for the weights
+            if (like_nine_point && boundary != Boundary::absorbing) continue;
             const auto lab = [=](Size size) { return Lab::matrix(size.columns, size.rows, boundary, stencil); };
             add(fmt::format("{}/{}", word(stencil), word(boundary)), lab, stencil == Stencil::nine_point);
         }

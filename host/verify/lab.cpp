@@ -20,6 +20,8 @@ Lab Lab::matrix(std::size_t columns, std::size_t rows, Boundary boundary, Stenci
     Lab lab;
     start(lab.experiment_);
     lab.experiment_.stencil = stencil;
+    // All different, so that no two directions can be mistaken for each other.
+    lab.experiment_.weights = {0.0625, 0.5, 0.125, 0.25, -2.15625, 0.375, 0.1875, 0.625, 0.03125};
     lab.create_ = CreateMatrix{columns, rows, boundary, 0.5, -3.25};
     return lab;
 }

@@ -4,6 +4,7 @@
 #include "verify/random_cells.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <cmath>
@@ -32,7 +33,24 @@ void draw_time_step(Draft& draft) {
     draft.line("define time_step " + draft.dice.number(draft.time_step));
 }
 
+// Weights that differ in all directions; exact in binary.
+void draw_weights(Draft& draft) {
+    constexpr double unit = 64.0;
+    Lattice lattice;
+    lattice.stencil = Stencil::own;
+    double sum = 0.0;
+    for (std::size_t i = 0; i < lattice.weights.size(); ++i) {
+        if (i == 4) continue;
+        lattice.weights[i] = static_cast<double>(1 + draft.dice.below(20)) / unit;
+        sum += lattice.weights[i];
+    }
+    lattice.weights[4] = -sum;
+    draft.line(fmt::format("define stencil 3x3 {}", fmt::join(lattice.weights, " ")));
+    draft.stiffness = stiffness(lattice);
+}
+
 void draw_stencil(Draft& draft) {
+    if (draft.dice.chance(15)) return draw_weights(draft);
     struct Named {
         Stencil stencil;
         const char* word;

@@ -7,6 +7,9 @@ for (int k = 0; k < 3; ++k) {
     if (beyond) continue;
 #endif
     const long there = THERE(up);
+#ifdef PELAGE_OWN_WEIGHTS
+    const real own_shares[9] = OWN_SHARES;
+#endif
     for (int side = -1; side <= 1; ++side) {
 #ifdef PELAGE_FIVE_POINT
         if ((up == 0) == (side == 0)) continue;
@@ -18,7 +21,11 @@ for (int k = 0; k < 3; ++k) {
         const real dy = R((scalar)(2 * up));
         const int diagonal = up != 0 && side != 0;
         const real norm = diagonal ? R(PELAGE_SQRT_8) : R(2);
+#ifdef PELAGE_OWN_WEIGHTS
+        const real neighbour_share = own_shares[3 * (1 - up) + side + 1];
+#else
         const real neighbour_share = diagonal ? DIAGONAL_SHARE : EDGE_SHARE;
+#endif
         //@ visit
     }
 }

@@ -1,5 +1,5 @@
 // The Laplacian of a chemical with one rate for all cells, by sums of rows that the next row uses again.
-//   PELAGE_NINE_POINT, PELAGE_SIMS, PELAGE_MOORE or PELAGE_FIVE_POINT
+//   PELAGE_NINE_POINT, PELAGE_SIMS, PELAGE_MOORE or PELAGE_FIVE_POINT; not used with PELAGE_OWN_WEIGHTS
 // [1 4 1; 4 -20 4; 1 4 1] is [1 4 1] times itself, less 36 in the middle.
 
 // ROW_SUM: of a row's own cells. OUTER: what the rows above and below take of it.

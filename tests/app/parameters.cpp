@@ -5,7 +5,10 @@
 #include <catch2/catch.hpp>
 #include <nlohmann/json.hpp>
 
+#include <cmath>
+#include <set>
 #include <string>
+#include <vector>
 
 using Catch::Contains;
 using test::command;
@@ -51,6 +54,53 @@ TEST_CASE("what is set gives the bits of the same experiment written so, and the
     CHECK(manifest.at("parameters").at("feed") == 0.05);
     CHECK_THAT(manifest.at("experiment").at("text").get<std::string>(), Contains("define parameter feed 0.05 from"));
     CHECK_THAT(manifest.at("options").at("set").get<std::string>(), Contains("feed=0.05"));
+}
+
+TEST_CASE("--random draws each parameter within its range, the same for the same number, and writes what it drew") {
+    const Folder folder;
+    const std::string file = folder.write(
+        "ranges.pex",
+        "define parameter feed 0.04 from 0.01 to 0.09\ndefine parameter kill 0.06 from 0.03 to 0.07 \"killed\"\n"
+        "define parameter side 12 from 8 to 20\ndefine parameter free 1\n"
+        "define chemical U limit 1\ndefine chemical V limit 1\nuse chemical U conc 1 diff 0.16\n"
+        "use chemical V conc (RANDOM * free) diff 0.08\ncreate matrix side (side + 1)\n"
+        "rule always react U V gray-scott f feed k kill\nstop at 5\n");
+    const auto run = [&](const std::vector<std::string>& more, const std::string& out) {
+        std::vector<std::string> words{"run", file, "--backend", "reference", "--out", (folder / out).string()};
+        words.insert(words.end(), more.begin(), more.end());
+        const Outcome outcome = command(words);
+        INFO(outcome.err);
+        REQUIRE(outcome.exit_code == 0);
+        return nlohmann::json::parse(read_all(folder / (out + "/manifest.json")));
+    };
+    const auto one = run({"--random", "1"}, "one").at("parameters");
+    const auto again = run({"--random", "1"}, "again").at("parameters");
+    const auto two = run({"--random", "2", "--set", "kill=0.05"}, "two").at("parameters");
+    CHECK(one == again);
+    CHECK(read_all(folder / "one/final.exr") == read_all(folder / "again/final.exr"));
+    CHECK(one.at("feed") != two.at("feed"));
+    CHECK(two.at("kill") == 0.05);
+    CHECK(one.at("free") == 1.0);
+    std::set<double> sides;
+    for (int draw = 0; draw < 12; ++draw) {
+        const auto drawn = run({"--random", std::to_string(draw)}, "some");
+        const double side = drawn.at("parameters").at("side"), feed = drawn.at("parameters").at("feed");
+        CHECK((side == std::floor(side) && side >= 8 && side <= 20 && feed >= 0.01 && feed <= 0.09));
+        sides.insert(side);
+    }
+    CHECK(sides.size() > 4);
+    const Outcome written = command({"run", (folder / "one/drawn.pex").string(), "--backend", "reference", "--format",
+                                     "npy", "--out", (folder / "written").string()});
+    REQUIRE(written.exit_code == 0);
+    REQUIRE(command({"run", file, "--random", "1", "--backend", "reference", "--format", "npy", "--out",
+                     (folder / "direct").string()})
+                .exit_code == 0);
+    CHECK(read_all(folder / "written/final.U.npy") == read_all(folder / "direct/final.U.npy"));
+    const std::string without =
+        folder.write("none.pex", "define parameter free 1\ndefine chemical U\ncreate matrix 4 free\n");
+    const Outcome none = command({"run", without, "--random", "1"});
+    CHECK_THAT(none.err, Contains("no parameter has a range to draw from"));
+    CHECK(none.exit_code == 2);
 }
 
 TEST_CASE("another value of a parameter compiles nothing anew") {

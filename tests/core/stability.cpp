@@ -25,6 +25,8 @@ double eigenvalue(Stencil stencil, double p, double q) {
             return 4 - edges;
         case Stencil::sims:
             return 1 - 0.2 * edges - 0.05 * corners;
+        case Stencil::own:
+            break;
     }
     return 0;
 }
@@ -41,6 +43,22 @@ TEST_CASE("stiffness is the stencil's largest eigenvalue") {
         }
         CHECK(stiffness(stencil) == Approx(largest));
     }
+}
+
+TEST_CASE("stiffness of one's own weights: of waves that turn as well as shrink") {
+    const auto of = [](const StencilWeights& weights) {
+        Lattice lattice;
+        lattice.stencil = Stencil::own;
+        lattice.weights = weights;
+        return stiffness(lattice);
+    };
+    CHECK(of({0, 1, 0, 1, -4, 1, 0, 1, 0}) == Approx(stiffness(Stencil::five_point)));
+    CHECK(of({0.05, 0.2, 0.05, 0.2, -1, 0.2, 0.05, 0.2, 0.05}) == Approx(stiffness(Stencil::sims)));
+    // Upwind advection: l = exp(-i k) - 1, whose |l|^2 / -Re l is 2 for every k; the Courant number may be 1.
+    CHECK(of({0, 0, 0, 1, -1, 0, 0, 0, 0}) == Approx(2.0));
+    // Central advection has no stable step, nor has what sharpens.
+    CHECK(std::isinf(of({0, 0, 0, 0.5, 0, -0.5, 0, 0, 0})));
+    CHECK(std::isinf(of({0, -1, 0, -1, 4, -1, 0, -1, 0})));
 }
 
 TEST_CASE("an unstable step is found, with the largest that holds") {

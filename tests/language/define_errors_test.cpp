@@ -53,7 +53,15 @@ TEST_CASE("malformed definitions and prepatterns say where and what is allowed")
         {grid, "define time_step 0", "t.pex:4:18: '0' is out of range; the time step must be a number above 0"},
         {grid, "define time_step 1 2", "t.pex:4:20: '2' follows a statement that is complete"},
         {grid, "define stencil 9-point",
-         "t.pex:4:16: unknown word '9-point'; allowed here: moore, nine-point, five-point, sims"},
+         "t.pex:4:16: unknown word '9-point'; allowed here: moore, nine-point, five-point, sims, 3x3"},
+        {"define chemical U\ncreate matrix 4 4\n", "define stencil 3x3 0 1 0 1 -4 1 0 1",
+         "t.pex:3:36: the line ends too early; one of nine weights must be a number"},
+        {"define chemical U\ncreate matrix 4 4\n", "define stencil 3x3 0 1 0 1 -3 1 0 1 0",
+         "t.pex:3:20: the weights add up to 1; diffusion makes nothing: the one in the middle must be minus the sum of "
+         "the "
+         "others, -4"},
+        {"define chemical U\ncreate matrix 4 4\n", "define stencil 3x3 0 0 0 0 0 0 0 0 0",
+         "t.pex:3:20: all weights are 0: nothing would diffuse"},
         {grid, "define stencil moore", "t.pex:4:8: 'stencil' needs a matrix; write 'create matrix COLUMNS ROWS'"},
         {grid, "use chemical W conc 1",
          "t.pex:4:14: unknown chemical 'W': 'use' names a chemical that is not defined; defined here: U, V"},

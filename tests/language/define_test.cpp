@@ -81,6 +81,9 @@ TEST_CASE("stencils of a matrix") {
     CHECK(parsed_on_matrix("define stencil nine-point").stencil == Stencil::nine_point);
     CHECK(parsed_on_matrix("define stencil five-point").stencil == Stencil::five_point);
     CHECK(parsed_on_matrix("define stencil sims").stencil == Stencil::sims);
+    const Experiment own = parsed_on_matrix("define parameter w 1.5\ndefine stencil 3x3 0 1 0 w (-3 - w) 1 0 1 0");
+    CHECK(own.stencil == Stencil::own);
+    CHECK(own.weights == StencilWeights{0, 1, 0, 1.5, -4.5, 1, 0, 1, 0});
 }
 
 TEST_CASE("use chemical sets concentration, rate, both or none") {

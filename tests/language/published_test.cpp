@@ -135,7 +135,8 @@ TEST_CASE("experiments of ours are read") {
     std::size_t read = 0;
 
     for (const auto& entry : fs::recursive_directory_iterator(fs::path(PELAGE_SOURCE) / "experiments")) {
-        if (entry.path().extension() != ".pex") continue;
+        const bool part = entry.path().parent_path().filename() == "gray-scott";  // of others, which include it
+        if (entry.path().extension() != ".pex" || part) continue;
         INFO(entry.path());
         CHECK_NOTHROW(parse_experiment_file(entry.path()));
         ++read;

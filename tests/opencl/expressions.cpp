@@ -49,6 +49,29 @@ const std::string of_both =
 
 }  // namespace
 
+TEST_CASE("weights of one's own: an upwind stencil carries a pattern along, a cell an iteration") {
+    const auto carried = [](const std::string& weights, Backend& backend) {
+        const Experiment experiment =
+            parse_experiment("define chemical U\ndefine stencil 3x3 " + weights +
+                                 "\nuse chemical U conc (floor(100 * RANDOM)) diff 1\ncreate matrix 7 5 wrap\n",
+                             "wind.pex", "");
+        const auto tissue = backend.make_tissue(experiment, initial_state(experiment));
+        tissue->advance(3);
+        return std::pair(initial_state(experiment).conc[0], tissue->read().conc[0]);
+    };
+    for (const bool device : {false, true}) {
+        const auto backend = device ? opencl_backend({}) : reference_backend(Precision::single_);
+        const auto [before, right] = carried("0 0 0 1 -1 0 0 0 0", *backend);
+        const auto down = carried("0 1 0 0 -1 0 0 0 0", *backend).second;
+        for (std::size_t row = 0; row < 5; ++row) {
+            for (std::size_t column = 0; column < 7; ++column) {
+                CHECK(right[row * 7 + column] == before[row * 7 + (column + 4) % 7]);
+                CHECK(down[row * 7 + column] == before[(row + 3) % 5 * 7 + column]);
+            }
+        }
+    }
+}
+
 TEST_CASE("Expressions on a matrix have the reference's bits on every path") {
     OpenclOptions options;
     options.path = GENERATE(Path::step, Path::shared, Path::streamed, Path::tiled);

@@ -14,9 +14,11 @@
 using namespace pelage;
 
 TEST_CASE("free cells: each feature on the device equals the reference") {
-    const auto& feature = GENERATE(from_range(verify::cell_cases()));
+    // Half of them one by one, in one of two forms; they take long to compile. All together: see below.
+    const auto& feature =
+        GENERATE(filter([](const auto& one) { return one.name.size() % 4 < 2; }, from_range(verify::cell_cases())));
     CellsOptions options;
-    options.together = feature.name.size() % 2 == 0;  // each in one of two forms: they take long to compile
+    options.together = feature.name.size() % 2 == 0;
     CAPTURE(feature.name, *options.together);
     const auto experiment = test::experiment(feature.text());
 

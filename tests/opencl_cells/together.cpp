@@ -43,10 +43,7 @@ std::unique_ptr<Tissue> on_device(const std::shared_ptr<const Experiment>& exper
 
 TEST_CASE("a small tissue in one work-group: its shape changes no bit") {
     const auto [width, group, precision] =
-        GENERATE(table<std::size_t, std::size_t, Precision>({{16, 1, Precision::single_},
-                                                             {4, 5, Precision::single_},
-                                                             {1, 70, Precision::single_},
-                                                             {16, 2, Precision::double_}}));
+        GENERATE(table<std::size_t, std::size_t, Precision>({{4, 5, Precision::single_}, {16, 2, Precision::double_}}));
     CAPTURE(width, group);
     const auto experiment = test::experiment(crowded);
     OpenclOptions options;

@@ -82,7 +82,7 @@ TEST_CASE("a device that disappears ends a run with one sentence, and leaves who
     for (const Stage::Play play : test::all_plays) {
         Stage stage(play);
         const std::size_t calls = test::calls_of_a_good_run(stage).size();
-        constexpr std::size_t parts = test::long_form ? 10 : 4;
+        constexpr std::size_t parts = test::long_form ? 10 : 2;
         for (std::size_t part = 0; part < parts; ++part) {
             INFO(fmt::format("at call {} of {}", calls * part / parts, calls));
             layer.reset();

@@ -26,6 +26,8 @@ double eigenvalue(Stencil stencil, double p, double q) {
             return -(edges + corners - 8);
         case Stencil::five_point:
             return -(edges - 4);
+        case Stencil::own:
+            break;
     }
     return 0.0;
 }

@@ -39,6 +39,8 @@ const char* stencil_word(Stencil stencil) {
             return "PELAGE_FIVE_POINT";
         case Stencil::sims:
             return "PELAGE_SIMS";
+        case Stencil::own:
+            return "PELAGE_OWN_WEIGHTS";
     }
     return "";
 }
