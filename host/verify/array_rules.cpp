@@ -196,11 +196,11 @@ private:
         for (std::size_t i = 0; i < model.species.size(); ++i) text += " " + pool[(first + i) % pool.size()];
         const bool all = values_["amount"] == "RANDOM";
         const std::size_t hit = nth_ % (model.parameters.size() + 1);
+        const std::vector<double> plain = sensible(model, nth_ + case_.made->number);
         text += " scale " + (all || hit == 0 ? amount(0.5) : number(0.75)) + " " + model.word;
         for (std::size_t i = 0; i < model.parameters.size(); ++i) {
-            const double plain = sensible(model.parameters[i], nth_ + i);
-            text +=
-                fmt::format(" {} {}", model.parameters[i].name, all || hit == i + 1 ? amount(plain) : number(plain));
+            const bool one_of_them = all || hit == i + 1;
+            text += fmt::format(" {} {}", model.parameters[i].name, one_of_them ? amount(plain[i]) : number(plain[i]));
         }
         return text;
     }

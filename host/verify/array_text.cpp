@@ -197,7 +197,12 @@ std::vector<Size> generated_sizes(const GeneratedWorld& made, Realm realm) {
         const Size smallest = plain ? turn({{7, 0}, {1, 0}, {2, 0}}) : Size{7, 0};
         return {smallest, turn({{5, 3}, {4, 4}, {17, 1}, {11, 3}})};
     }
-    if (world["sizes"] == "many") return {{9, 4}, world["cut"] == "small" ? Size{520, 131} : Size{311, 223}};
+    // More cells than 16 bits count, or columns, or rows; where rows and columns go to and fro, in each of these ways.
+    if (world["sizes"] == "many") {
+        const bool fro = world["path"] == "streamed" || world["path"] == "tiled";
+        if (fro) return {{9, 4}, {65'541, 1}, {1, 65'541}, turn({{311, 223}, {520, 131}})};
+        return {{9, 4}, turn({{65'541, 1}, {311, 223}, {1, 65'541}, {520, 131}})};
+    }
     return {turn({{1, 37}, {1, 1}, {41, 1}, {2, 3}}), turn({{15, 6}, {16, 7}, {17, 15}, {33, 2}, {7, 5}}),
             turn({{31, 9}, {65, 11}, {130, 3}}), turn({{24, 33}, {67, 71}})};
 }

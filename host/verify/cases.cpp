@@ -67,9 +67,7 @@ Experiment reacting(Lab lab) {
             const std::string name = react.model.facts().word + " " + species.name;
             react.species.push_back(lab.chemical(name, conc, {rate, 0}, unbounded));
         }
-        for (const ModelParameter& parameter : react.model.facts().parameters) {
-            react.parameters.push_back(number(sensible(parameter, react.parameters.size())));
-        }
+        for (const double parameter : sensible(react.model.facts(), 0)) react.parameters.push_back(number(parameter));
         lab.rule(react);
     }
     return lab.time_step(0.01).done();

@@ -35,9 +35,9 @@ CellCase reacting(const ModelFacts& model) {
         made.lines += " " + name;
     }
     made.lines += " scale 0.01 " + model.word;
-    std::size_t place = 0;
-    for (const ModelParameter& parameter : model.parameters)
-        made.lines += fmt::format(" {} {}", parameter.name, sensible(parameter, place++));
+    const std::vector<double> numbers = sensible(model, 0);
+    for (std::size_t i = 0; i < numbers.size(); ++i)
+        made.lines += fmt::format(" {} {}", model.parameters[i].name, numbers[i]);
     made.lines += "\n";
     return made;
 }

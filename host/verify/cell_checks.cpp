@@ -150,21 +150,38 @@ rule if RANDOM < 0.25 move 0.05 dev 0.05
 rule probability 0.01 divide direction M dev 120
 )";
 
+struct Stretch {
+    const Experiment& experiment;
+    Snapshot from;
+    std::uint64_t iterations;
+};
+
+// What the reference has in the end.
+Snapshot many_more(Outcome& outcome, Place& place, const Setting& setting, const Stretch& stretch) {
+    const auto& [experiment, from, iterations_more] = stretch;
+    const auto expected = reference_backend(setting.precision, setting.search)->make_tissue(experiment, from);
+    const auto found = place.backend(setting).make_tissue(experiment, from);
+    expected->advance(iterations_more);
+    found->advance(iterations_more);
+    const Snapshot there = expected->read();
+    add(outcome.tally, there, found->read(), setting.precision,
+        fmt::format("{}iteration {}", setting.text().empty() ? "" : setting.text() + ", ", there.iteration));
+    return there;
+}
+
 Outcome many_cells(Place& place) {
     if (place.small()) return {Verdict::skipped, {}, "left out with --small", {}};
     Outcome outcome;
     const Experiment experiment = parse_experiment(crowd_of_cells, "many cells", ".");
     const Snapshot initial = initial_state(experiment);
-    const auto expected = reference_backend(Precision::single_)->make_tissue(experiment, initial);
-    const auto found = place.backend({}).make_tissue(experiment, initial);
+    const Setting by_bins, together{.path = Path::shared}, by_sorting{.search = NeighbourSearch::spatial_sorting};
     std::vector<Snapshot> states{initial};
     for (const std::uint64_t count : {1u, 2u}) {
-        expected->advance(count);
-        found->advance(count);
-        states.push_back(expected->read());
-        add(outcome.tally, states.back(), found->read(), Precision::single_,
-            fmt::format("iteration {}", states.back().iteration));
+        const Snapshot& before = states.back();
+        states.push_back(many_more(outcome, place, by_bins, {experiment, before, count}));
     }
+    many_more(outcome, place, together, {experiment, initial, 1});
+    many_more(outcome, place, by_sorting, {experiment, initial, 1});
     if (states.back().cells() == initial.cells()) return {Verdict::mistrusted, {}, "no cell divides", {}};
     if (outcome.tally.equal()) return outcome;
     if (!rounds_exactly(place, {})) {

@@ -106,11 +106,6 @@ React react(Model model, std::vector<std::size_t> species, std::vector<double> p
     return action;
 }
 
-double sensible(const ModelParameter& parameter, std::size_t place) {
-    const double turn = 0.37 + 0.618 * static_cast<double>(place);
-    return parameter.low + (parameter.high - parameter.low) * (turn - std::floor(turn));
-}
-
 Change change(std::size_t chemical, Operand amount, double deviation) {
     return {Target::concentration, chemical, amount, deviation};
 }

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "core/experiment.hpp"
+#include "core/models.hpp"
 
 #include <cstddef>
 #include <limits>
@@ -48,8 +49,9 @@ Operand number(double);
 Operand quantity(Quantity, std::size_t index = 0);
 Condition compare(Operand left, Comparison, Operand right);
 React react(Model, std::vector<std::size_t> species, std::vector<double> parameters, double scale = 1.0);
-// A value of a model's parameter: another one for each place, so that swapped arguments show.
-double sensible(const ModelParameter&, std::size_t place);
+// Values of a model's parameters with which each of them matters where its species have values from 0.5 to 4.5, others
+// for each turn.
+std::vector<double> sensible(const ModelFacts&, std::size_t turn);
 Change change(std::size_t chemical, Operand amount, double deviation = 0.0);
 Change change_rate(std::size_t chemical, Operand amount, double deviation = 0.0);
 

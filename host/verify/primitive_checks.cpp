@@ -112,6 +112,8 @@ std::vector<Keys> key_sets(Place& place, std::uint64_t seed) {
     Keys backwards{Words(1000), 1000};
     std::iota(backwards.keys.rbegin(), backwards.keys.rend(), 0u);
     if (!place.small()) sets.push_back(backwards);
+    // More in a chunk than 16 bits count.
+    if (!place.small() && place.loop_limit() == 0) sets.push_back({Words(140'001, 0), 16});
     return sets;
 }
 
@@ -154,6 +156,25 @@ Outcome check_scan(Place& place, std::uint64_t seed) {
     return outcome;
 }
 
+// Bins of 0 to 40 points, in every order but the right one.
+Outcome check_tidy(Place& place, std::uint64_t seed) {
+    std::mt19937 engine(static_cast<std::mt19937::result_type>(seed));
+    Words starts{0}, order(place.small() ? 30 : 820), expected;
+    std::iota(order.begin(), order.end(), 0u);
+    std::ranges::shuffle(order, engine);
+    expected = order;
+    for (std::uint32_t bin = 0; starts.back() < order.size(); ++bin) {
+        const auto begin = starts.back();
+        starts.push_back(std::min(begin + bin, static_cast<std::uint32_t>(order.size())));
+        std::ranges::sort(expected.begin() + begin, expected.begin() + starts.back());
+        if (bin % 3 == 0) std::ranges::sort(order.begin() + begin, order.begin() + starts.back(), std::greater());
+    }
+    Outcome outcome;
+    add(outcome.tally, expected, tidied_on_device(place.session(), starts, order), "points of bins");
+    conclude(outcome);
+    return outcome;
+}
+
 // --- the device
 
 // A loop of one work-item that is longer than 16 bits count. Where a device ends it early, what needs such loops is
@@ -189,7 +210,8 @@ std::vector<Check> primitive_checks(std::uint64_t seed) {
             {"random/known-answers", "random numbers", true, known_answers},
             {"random/many", "random numbers", true, [=](Place& place) { return many_draws(place, seed); }},
             {"sort/keys", "sort", true, [=](Place& place) { return check_sort(place, seed); }},
-            {"scan/starts", "scan", true, [=](Place& place) { return check_scan(place, seed); }}};
+            {"scan/starts", "scan", true, [=](Place& place) { return check_scan(place, seed); }},
+            {"sort/tickets", "sort", true, [=](Place& place) { return check_tidy(place, seed); }}};
 }
 
 }  // namespace pelage::verify

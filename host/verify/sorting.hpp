@@ -33,4 +33,10 @@ private:
     cl::Kernel count_, sum_, scan_, scatter_, starts_;
 };
 
+// Kernel pelage_tickets_tidy of kernels/neighbours/tickets.cl alone: bin b holds order[starts[b]] up to
+// order[starts[b + 1]], which come out in ascending order. Tickets are drawn in whatever order work-items come, on
+// processors mostly the ascending one.
+std::vector<std::uint32_t> tidied_on_device(const Session&, const std::vector<std::uint32_t>& starts,
+                                            const std::vector<std::uint32_t>& order);
+
 }  // namespace pelage::verify
