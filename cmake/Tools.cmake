@@ -13,6 +13,13 @@ add_library(pelage_tune STATIC ${tune_sources})
 target_link_libraries(pelage_tune
   PUBLIC pelage_verify pelage OpenCL::OpenCL PRIVATE pelage_flags nlohmann_json::nlohmann_json)
 
+# What patterns are like. KissFFT is a header; it goes as a system header past our warnings.
+find_path(PELAGE_KISSFFT kissfft/kissfft.hh REQUIRED)
+file(GLOB stats_sources CONFIGURE_DEPENDS host/stats/*.cpp)
+add_library(pelage_stats STATIC ${stats_sources})
+target_include_directories(pelage_stats SYSTEM PRIVATE ${PELAGE_KISSFFT})
+target_link_libraries(pelage_stats PUBLIC pelage pelage_inside PRIVATE pelage_flags)
+
 include(cmake/Bench.cmake)
 
 # The command: all but main() in a library, so that tests can call its parts.
@@ -20,7 +27,7 @@ file(GLOB app_sources CONFIGURE_DEPENDS host/app/*.cpp)
 list(REMOVE_ITEM app_sources ${PROJECT_SOURCE_DIR}/host/app/main.cpp)
 add_library(pelage_app STATIC ${app_sources})
 target_compile_definitions(pelage_app PRIVATE PELAGE_VERSION="${PROJECT_VERSION}")
-target_link_libraries(pelage_app PUBLIC pelage_tune pelage_verify pelage_bench pelage CLI11::CLI11 PRIVATE pelage_flags nlohmann_json::nlohmann_json)
+target_link_libraries(pelage_app PUBLIC pelage_tune pelage_verify pelage_bench pelage_stats pelage CLI11::CLI11 PRIVATE pelage_flags nlohmann_json::nlohmann_json)
 add_executable(pelage_command host/app/main.cpp)
 set_target_properties(pelage_command PROPERTIES OUTPUT_NAME pelage)
 target_compile_definitions(pelage_command PRIVATE PELAGE_VERSION="${PROJECT_VERSION}")
@@ -30,13 +37,13 @@ target_link_libraries(pelage_command PRIVATE pelage_app pelage_flags)
 if(NOT CMAKE_UNITY_BUILD)
   set_target_properties(pelage_app PROPERTIES UNITY_BUILD ON UNITY_BUILD_MODE GROUP)
   foreach(name bench_command check_command command_line completion completion_command devices_command help_command manual
-      options_of run_command tune_command validators verify_command)
+      measure_command options_of run_command tune_command validators verify_command)
     set_source_files_properties(host/app/${name}.cpp PROPERTIES UNITY_GROUP command_line)
   endforeach()
 endif()
 
 # What takes time at run time is in the library and in the benchmarks' baselines; here it is compiling.
-foreach(target pelage_verify pelage_tune pelage_app pelage_command)
+foreach(target pelage_verify pelage_tune pelage_stats pelage_app pelage_command)
   pelage_unite(${target})
   target_compile_options(${target} PRIVATE $<$<CONFIG:Release>:-O1>)
 endforeach()

@@ -1,0 +1,72 @@
+// See course.hpp.
+#include "stats/course.hpp"
+
+#include "core/error.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace pelage::stats {
+
+std::string_view name_of(Verdict verdict) {
+    switch (verdict) {
+        case Verdict::uniform:
+            return "uniform";
+        case Verdict::stationary:
+            return "stationary";
+        case Verdict::oscillating:
+            return "oscillating";
+        case Verdict::moving:
+            return "moving";
+        case Verdict::not_a_number:
+            return "NaN";
+    }
+    return "";
+}
+
+void Course::show(const Grid& grid) {
+    check(grid);
+    if (states_ > 0 && sum_.size() != grid.values.size()) throw Error("a pattern that is followed keeps its size");
+    sum_.resize(grid.values.size());
+    squares_.resize(grid.values.size());
+    for (std::size_t cell = 0; cell < sum_.size(); ++cell) {
+        sum_[cell] += grid.values[cell];
+        squares_[cell] += grid.values[cell] * grid.values[cell];
+        largest_ = std::max(largest_, std::fabs(grid.values[cell]));
+    }
+    const auto [low, high] = std::minmax_element(grid.values.begin(), grid.values.end());
+    largest_span_ = std::max(largest_span_, *high - *low);
+    ++states_;
+}
+
+Verdict Course::verdict() const {
+    if (states_ < 2) throw Error("what a pattern does in time shows in two states or more");
+    const double states = static_cast<double>(states_), cells = static_cast<double>(sum_.size());
+    double mean = 0.0;
+    for (const double sum : sum_) mean += sum / states / cells;
+    double in_space = 0.0, in_time = 0.0;
+    for (std::size_t cell = 0; cell < sum_.size(); ++cell) {
+        const double middle = sum_[cell] / states;
+        in_space += (middle - mean) * (middle - mean) / cells;
+        in_time += std::max(0.0, squares_[cell] / states - middle * middle) / cells;
+    }
+    const double small = 1e-3 * largest_;
+    const bool flat = largest_span_ <= small;
+    if (flat && in_time <= small * small) return Verdict::uniform;
+    if (flat) return Verdict::oscillating;
+    if (in_time <= 1e-4 * (in_space + in_time)) return Verdict::stationary;
+    return in_space < in_time ? Verdict::moving : Verdict::oscillating;
+}
+
+double change(const Grid& before, const Grid& after) {
+    if (before.values.size() != after.values.size()) return 1.0;
+    double sum = 0.0;
+    for (std::size_t cell = 0; cell < after.values.size(); ++cell)
+        sum += std::fabs(after.values[cell] - before.values[cell]);
+    if (sum == 0.0) return 0.0;
+    const auto [low, high] = std::minmax_element(after.values.begin(), after.values.end());
+    const double scale = std::max(*high - *low, 1e-3 * std::max(std::fabs(*low), std::fabs(*high)));
+    return sum / static_cast<double>(after.values.size()) / scale;
+}
+
+}  // namespace pelage::stats

@@ -1,0 +1,38 @@
+// What a pattern does in time: it stays, oscillates or moves.
+#pragma once
+
+#include "stats/grid.hpp"
+
+#include <cstddef>
+#include <string_view>
+#include <vector>
+
+namespace pelage::stats {
+
+enum class Verdict { uniform, stationary, oscillating, moving, not_a_number };
+std::string_view name_of(Verdict);
+
+// Is shown the states of the last stretch of a run, all of one size, at equal intervals.
+class Course {
+public:
+    void show(const Grid&);
+
+    std::size_t states() const { return states_; }
+    // Of at least two states. The variance over space and time is that of the mean picture and that around it in time:
+    //   uniform      in no state do values differ by more than a thousandth, nor do they change in time
+    //   stationary   less than a ten thousandth of the variance is in time
+    //   moving       the mean picture has less than half of it: what moves washes out
+    //   oscillating  all else; a field that is uniform at all times and changes oscillates
+    Verdict verdict() const;
+
+private:
+    std::vector<double> sum_, squares_;
+    double largest_ = 0.0;       // of all values, in size
+    double largest_span_ = 0.0;  // highest less lowest within one state
+    std::size_t states_ = 0;
+};
+
+// Mean distance of two states, as a share of the span of the second; 0 where both are equal.
+double change(const Grid& before, const Grid& after);
+
+}  // namespace pelage::stats
