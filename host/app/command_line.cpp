@@ -165,6 +165,7 @@ void define(CLI::App& app, int& exit_code) {
         "Exit codes: 0 success; 1 a run met NaN or infinity, a check failed; 2 bad input; 130 stopped by Ctrl-C.");
     add_run(app, exit_code);
     add_check(app, exit_code);
+    add_sweep(app, exit_code);
     add_measure(app, exit_code);
     add_devices(app, exit_code);
     add_verify(app, exit_code);

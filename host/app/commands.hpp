@@ -17,6 +17,7 @@ inline constexpr int interrupted = 130;
 void add_run(CLI::App&, int& exit_code);
 void add_devices(CLI::App&, int& exit_code);
 void add_check(CLI::App&, int& exit_code);
+void add_sweep(CLI::App&, int& exit_code);
 void add_measure(CLI::App&, int& exit_code);
 void add_verify(CLI::App&, int& exit_code);
 void add_bench(CLI::App&, int& exit_code);

@@ -26,8 +26,10 @@ std::filesystem::path plotter() {
 
 }  // namespace
 
+bool plotter_is_there() { return std::filesystem::exists(plotter()); }
+
 void require_plotter() {
-    if (std::filesystem::exists(plotter())) return;
+    if (plotter_is_there()) return;
     throw Error(
         fmt::format("plots are drawn by '{}', which is not there: install cairo (libcairo2-dev) and build again",
                     plotter().string()));

@@ -10,6 +10,7 @@ void require_plotter();
 
 // Draws PICTURE.roofline.png and PICTURE.scaling.png of the JSON file. Throws Error when that fails; the reason stands
 // on standard error.
+bool plotter_is_there();
 void draw_report(const std::filesystem::path& json, const std::filesystem::path& picture);
 
 }  // namespace pelage::app

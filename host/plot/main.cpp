@@ -1,6 +1,11 @@
-// pelage-plot: draws what `pelage bench --json` wrote. A program of its own, so that the command needs no cairo.
+// pelage-plot: draws what `pelage bench --json` wrote, and contact sheets of `pelage sweep`. A program of its own, so
+// that the command needs no cairo.
 #include "bench/report_read.hpp"
+#include "io/file_bytes.hpp"
 #include "plot/plot.hpp"
+#include "plot/sheet.hpp"
+
+#include <nlohmann/json.hpp>
 
 #include <cstdio>
 #include <exception>
@@ -9,12 +14,18 @@ int main(int argc, char** argv) {
     if (argc != 3) {
         std::fputs(
             "Usage: pelage-plot RESULTS.json PICTURE.png\n"
-            "Draws PICTURE.roofline.png and PICTURE.scaling.png of what `pelage bench --json` wrote.\n",
+            "Draws PICTURE.roofline.png and PICTURE.scaling.png of what `pelage bench --json` wrote, or the contact "
+            "sheet\n"
+            "PICTURE.png, .svg or .pdf of what `pelage sweep` says of its tiles.\n",
             stderr);
         return 2;
     }
     try {
-        pelage::bench::plot(pelage::bench::read_report(argv[1]), argv[2]);
+        const nlohmann::json what = nlohmann::json::parse(pelage::read_file(argv[1]));
+        if (what.contains("mosaic"))
+            pelage::plot::draw_sheet(what, argv[2]);
+        else
+            pelage::bench::plot(pelage::bench::read_report(argv[1]), argv[2]);
         return 0;
     } catch (const std::exception& error) {
         std::fprintf(stderr, "pelage-plot: %s\n", error.what());

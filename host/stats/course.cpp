@@ -20,6 +20,8 @@ std::string_view name_of(Verdict verdict) {
             return "moving";
         case Verdict::not_a_number:
             return "NaN";
+        case Verdict::unstable:
+            return "unstable";
     }
     return "";
 }
@@ -39,7 +41,7 @@ void Course::show(const Grid& grid) {
     ++states_;
 }
 
-Verdict Course::verdict() const {
+Verdict Course::verdict(double scale) const {
     if (states_ < 2) throw Error("what a pattern does in time shows in two states or more");
     const double states = static_cast<double>(states_), cells = static_cast<double>(sum_.size());
     double mean = 0.0;
@@ -50,7 +52,7 @@ Verdict Course::verdict() const {
         in_space += (middle - mean) * (middle - mean) / cells;
         in_time += std::max(0.0, squares_[cell] / states - middle * middle) / cells;
     }
-    const double small = 1e-3 * largest_;
+    const double small = std::max(1e-3 * largest_, 1e-6 * scale);
     const bool flat = largest_span_ <= small;
     if (flat && in_time <= small * small) return Verdict::uniform;
     if (flat) return Verdict::oscillating;

@@ -9,8 +9,8 @@
 
 namespace pelage::stats {
 
-enum class Verdict { uniform, stationary, oscillating, moving, not_a_number };
-std::string_view name_of(Verdict);
+enum class Verdict { uniform, stationary, oscillating, moving, not_a_number, unstable };
+std::string_view name_of(Verdict);  // the last two are not for Course to find: NaNs, and a time step known not to hold
 
 // Is shown the states of the last stretch of a run, all of one size, at equal intervals.
 class Course {
@@ -19,11 +19,12 @@ public:
 
     std::size_t states() const { return states_; }
     // Of at least two states. The variance over space and time is that of the mean picture and that around it in time:
-    //   uniform      in no state do values differ by more than a thousandth, nor do they change in time
+    //   uniform      in no state do values differ by more than a thousandth, nor do they change in time; or all that
+    //                differs is less than a millionth of `scale`, the largest value that the run has seen
     //   stationary   less than a ten thousandth of the variance is in time
     //   moving       the mean picture has less than half of it: what moves washes out
     //   oscillating  all else; a field that is uniform at all times and changes oscillates
-    Verdict verdict() const;
+    Verdict verdict(double scale = 0.0) const;
 
 private:
     std::vector<double> sum_, squares_;

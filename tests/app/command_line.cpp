@@ -194,7 +194,7 @@ TEST_CASE("pelage alone shows what there is, help tells more") {
 
     CHECK(alone.exit_code == 2);
     for (const char* text :
-         {"run", "check", "measure", "devices", "verify", "bench", "tune", "pelage run experiments/leopard.pex"})
+         {"run", "check", "sweep", "measure", "devices", "verify", "bench", "tune", "pelage run experiments/leopard.pex"})
         CHECK_THAT(alone.err, Contains(text));
     CHECK(help.exit_code == 0);
     CHECK(help.out == alone.err);

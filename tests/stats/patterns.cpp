@@ -121,6 +121,11 @@ TEST_CASE("what patterns do in time") {
     CHECK(verdict([&](double x, double, int t) { return std::sin(k * x) * (2 + std::sin(0.8 * t)); }) ==
           Verdict::oscillating);
     CHECK(verdict([](double, double, int t) { return 1 + 0.5 * std::sin(0.8 * t); }) == Verdict::oscillating);
+    Course faint;
+    for (int t = 0; t < 4; ++t)
+        faint.show(Pattern(40, 30, [&](double x, double) { return 1e-30 * std::sin(k * x); }).grid());
+    CHECK(faint.verdict() == Verdict::stationary);
+    CHECK(faint.verdict(0.5) == Verdict::uniform);
     const Pattern one = stripes(10, 0), other = stripes(10, 0, 128, 96);
     CHECK(change(one.grid(), other.grid()) == 0.0);
     CHECK(change(one.grid(), stripes(11, 0).grid()) > 0.1);

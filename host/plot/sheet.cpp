@@ -1,0 +1,140 @@
+// See sheet.hpp.
+#include "plot/sheet.hpp"
+
+#include "core/error.hpp"
+
+#include <cairo-pdf.h>
+#include <cairo-svg.h>
+#include <cairo.h>
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+#include <algorithm>
+#include <memory>
+#include <numbers>
+#include <string>
+#include <vector>
+
+namespace pelage::plot {
+
+namespace {
+
+constexpr double left = 110, right = 130, top = 50, bottom = 70, letters = 15;
+
+struct Free {
+    void operator()(cairo_surface_t* surface) const { cairo_surface_destroy(surface); }
+    void operator()(cairo_t* context) const { cairo_destroy(context); }
+};
+using Surface = std::unique_ptr<cairo_surface_t, Free>;
+using Context = std::unique_ptr<cairo_t, Free>;
+
+Surface canvas(const std::filesystem::path& file, double width, double height) {
+    if (file.extension() == ".svg") return Surface(cairo_svg_surface_create(file.c_str(), width, height));
+    if (file.extension() == ".pdf") return Surface(cairo_pdf_surface_create(file.c_str(), width, height));
+    return Surface(cairo_image_surface_create(CAIRO_FORMAT_RGB24, static_cast<int>(width), static_cast<int>(height)));
+}
+
+void check(cairo_status_t status, const std::filesystem::path& file) {
+    if (status != CAIRO_STATUS_SUCCESS)
+        throw Error(fmt::format("cannot draw '{}': {}", file.string(), cairo_status_to_string(status)));
+}
+
+class Sheet {
+public:
+    Sheet(const nlohmann::json& what, const std::filesystem::path& file)
+        : what_(what), mosaic_(cairo_image_surface_create_from_png(what.at("mosaic").get<std::string>().c_str())) {
+        check(cairo_surface_status(mosaic_.get()), what.at("mosaic").get<std::string>());
+        width_ = cairo_image_surface_get_width(mosaic_.get());
+        height_ = cairo_image_surface_get_height(mosaic_.get());
+        surface_ = canvas(file, std::max(left + width_ + right, 480.0), std::max(top + height_ + bottom, 220.0));
+        check(cairo_surface_status(surface_.get()), file);
+        cairo_.reset(cairo_create(surface_.get()));
+    }
+
+    void draw() {
+        cairo_t* cairo = cairo_.get();
+        cairo_set_source_rgb(cairo, 1, 1, 1);
+        cairo_paint(cairo);
+        cairo_set_source_surface(cairo, mosaic_.get(), left, top);
+        cairo_paint(cairo);
+        cairo_set_source_rgb(cairo, 0.13, 0.13, 0.15);
+        cairo_select_font_face(cairo, "sans-serif", CAIRO_FONT_SLANT_NORMAL, CAIRO_FONT_WEIGHT_NORMAL);
+        text(left, top / 2, what_.at("title").get<std::string>(), letters * 1.15, 0);
+        if (what_.contains("x")) axes();
+        bar();
+    }
+
+    void write(const std::filesystem::path& file) {
+        if (file.extension() == ".png") check(cairo_surface_write_to_png(surface_.get(), file.c_str()), file);
+        cairo_surface_finish(surface_.get());
+        check(cairo_surface_status(surface_.get()), file);
+    }
+
+private:
+    void axes() {
+        const double across = what_.at("tile").at(0), down = what_.at("tile").at(1), gap = what_.at("gap");
+        const auto x = what_.at("x").at("values").get<std::vector<std::string>>();
+        const auto y = what_.at("y").at("values").get<std::vector<std::string>>();
+        double widest = 0;
+        for (const std::string& value : x) widest = std::max(widest, width_of(value));
+        const auto every = 1 + static_cast<std::size_t>((widest + 10) / (across + gap));
+        for (std::size_t i = 0; i < x.size(); i += every)
+            text(left + static_cast<double>(i) * (across + gap) + across / 2, top + height_ + 16, x[i], letters, 0.5);
+        for (std::size_t i = 0; i < y.size(); ++i)
+            text(left - 8, top + height_ - static_cast<double>(i) * (down + gap) - down / 2, y[i], letters, 1);
+        text(left + width_ / 2, top + height_ + 44, what_.at("x").at("name").get<std::string>(), letters * 1.15, 0.5);
+        text(24, top + height_ / 2, what_.at("y").at("name").get<std::string>(), letters * 1.15, 0.5, true);
+    }
+
+    double width_of(const std::string& words) {
+        cairo_set_font_size(cairo_.get(), letters);
+        cairo_text_extents_t extents;
+        cairo_text_extents(cairo_.get(), words.c_str(), &extents);
+        return extents.x_advance;
+    }
+
+    void bar() {
+        cairo_t* cairo = cairo_.get();
+        const auto& colours = what_.at("colours");
+        const double x = left + width_ + 24, height = std::min(height_, 400.0);
+        const double step = height / static_cast<double>(colours.size());
+        for (std::size_t i = 0; i < colours.size(); ++i) {
+            const auto channel = [&](std::size_t c) { return colours.at(i).at(c).get<double>() / 255; };
+            cairo_set_source_rgb(cairo, channel(0), channel(1), channel(2));
+            cairo_rectangle(cairo, x, top + height - static_cast<double>(i + 1) * step, 16, step + 0.5);
+            cairo_fill(cairo);
+        }
+        cairo_set_source_rgb(cairo, 0.13, 0.13, 0.15);
+        text(x + 22, top + 6, fmt::format("{:.4g}", what_.at("range").at(1).get<double>()), letters, 0);
+        text(x + 22, top + height - 6, fmt::format("{:.4g}", what_.at("range").at(0).get<double>()), letters, 0);
+    }
+
+    // `lean`: 0 begins at x, 0.5 is centred there, 1 ends there.
+    void text(double x, double y, const std::string& words, double size, double lean, bool upward = false) {
+        cairo_t* cairo = cairo_.get();
+        cairo_set_font_size(cairo, size);
+        cairo_text_extents_t extents;
+        cairo_text_extents(cairo, words.c_str(), &extents);
+        cairo_save(cairo);
+        cairo_translate(cairo, x, y);
+        if (upward) cairo_rotate(cairo, -std::numbers::pi / 2);
+        cairo_move_to(cairo, -lean * extents.x_advance, 0.36 * size);
+        cairo_show_text(cairo, words.c_str());
+        cairo_restore(cairo);
+    }
+
+    const nlohmann::json& what_;
+    Surface mosaic_, surface_;
+    Context cairo_;
+    double width_ = 0, height_ = 0;
+};
+
+}  // namespace
+
+void draw_sheet(const nlohmann::json& what, const std::filesystem::path& file) {
+    Sheet sheet(what, file);
+    sheet.draw();
+    sheet.write(file);
+}
+
+}  // namespace pelage::plot

@@ -1,0 +1,62 @@
+// See sheet.hpp.
+#include "sweep/sheet.hpp"
+
+#include "io/brush.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <span>
+
+namespace pelage::sweep {
+
+Layout layout(const std::vector<Axis>& axes, std::size_t tiles) {
+    if (!axes.empty()) {
+        const std::size_t across = axes.front().values.size();
+        return {across, (tiles + across - 1) / across, true};
+    }
+    const auto across = static_cast<std::size_t>(std::ceil(std::sqrt(static_cast<double>(tiles))));
+    return {across, (tiles + across - 1) / across, false};
+}
+
+namespace {
+
+ValueRange common_range(const std::vector<TilePicture>& tiles, const Output& output) {
+    if (output.range) return {(*output.range)[0], (*output.range)[1]};
+    ValueRange range;
+    for (const TilePicture& tile : tiles) range.widen(range_of(tile.values));
+    return range;
+}
+
+void paste(const Picture& tile, std::size_t left, std::size_t top, std::size_t rows, Picture& picture) {
+    const std::size_t lower = top + rows;  // the first line below the tile's place
+    for (std::size_t line = 0; line < tile.rows; ++line) {
+        for (std::size_t column = 0; column < tile.columns; ++column) {
+            const std::size_t x = left + column, y = lower - tile.rows + line;
+            if (x < picture.columns && y < picture.rows) picture.at(x, y) = tile.at(column, line);
+        }
+    }
+}
+
+}  // namespace
+
+Mosaic mosaic(const std::vector<TilePicture>& tiles, const Layout& layout, const Output& output, std::size_t least) {
+    Mosaic made;
+    const auto first = std::ranges::find_if(tiles, [](const TilePicture& tile) { return !tile.values.empty(); });
+    if (first == tiles.end()) return made;
+    const std::size_t factor = std::max<std::size_t>(1, least / std::max(first->columns, first->rows));
+    made.tile_columns = first->columns * factor;
+    made.tile_rows = first->rows * factor;
+    made.range = common_range(tiles, output);
+    made.picture = Picture(layout.across * (made.tile_columns + gap) - gap, layout.down * (made.tile_rows + gap) - gap);
+    for (std::size_t i = 0; i < tiles.size(); ++i) {
+        const TilePicture& tile = tiles[i];
+        if (tile.values.empty() || tile.columns > first->columns || tile.rows > first->rows) continue;
+        const Brush brush(output, {std::span<const double>(tile.values)}, made.range);
+        const std::size_t row = i / layout.across, line = layout.from_below ? layout.down - 1 - row : row;
+        paste(enlarged(render(brush, tile.columns, tile.rows), factor), i % layout.across * (made.tile_columns + gap),
+              line * (made.tile_rows + gap), made.tile_rows, made.picture);
+    }
+    return made;
+}
+
+}  // namespace pelage::sweep

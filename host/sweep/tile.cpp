@@ -1,0 +1,155 @@
+// See tile.hpp.
+#include "sweep/tile.hpp"
+
+#include "core/error.hpp"
+#include "core/space.hpp"
+#include "io/drawn.hpp"
+#include "io/sha256.hpp"
+#include "io/texture.hpp"
+
+#include <algorithm>
+#include <bit>
+#include <cmath>
+#include <set>
+#include <utility>
+#include <vector>
+
+namespace pelage::sweep {
+
+namespace {
+
+std::size_t first_of_colours(const Experiment& experiment) {
+    const auto of_colours = [](const Output& one) { return one.drawing == Drawing::colours; };
+    return static_cast<std::size_t>(std::ranges::find_if(experiment.outputs, of_colours) - experiment.outputs.begin());
+}
+
+// Iterations at which a tile is looked at: parts of the whole run, and of its last tenth.
+std::set<std::uint64_t> moments(std::uint64_t last, std::uint64_t parts) {
+    std::set<std::uint64_t> all;
+    for (std::uint64_t i = 1; i <= parts; ++i) all.insert(last * i / parts);
+    return all;
+}
+
+class Watch {
+public:
+    Watch(Tissue& tissue, const Experiment& experiment, const TileOptions& options)
+        : tissue_(tissue),
+          experiment_(experiment),
+          options_(options),
+          checks_(moments(options.last, options.steady ? 100 : 20)) {
+        for (std::uint64_t i = 0; i < 8; ++i) ends_.insert(options.last - options.last * i / 80);
+    }
+
+    std::optional<TileResult> carry_out() {
+        look();
+        while (tissue_.iteration() < options_.last && !steady_) {
+            if (options_.interrupted()) return std::nullopt;
+            tissue_.advance(next() - tissue_.iteration());
+            if (tissue_.non_finite()) return broken();
+            look();
+        }
+        return finished();
+    }
+
+private:
+    stats::Grid grid(const std::vector<double>& values) const {
+        return {values, state_.columns, state_.rows, wraps(experiment_)};
+    }
+
+    std::uint64_t next() const {
+        const std::uint64_t now = tissue_.iteration();
+        std::uint64_t stop = options_.last;
+        for (const auto* all : {&checks_, &ends_}) {
+            const auto at = all->upper_bound(now);
+            if (at != all->end()) stop = std::min(stop, *at);
+        }
+        return stop;
+    }
+
+    void look() {
+        const std::uint64_t now = tissue_.iteration();
+        state_ = tissue_.read();
+        std::vector<double> values = shown(experiment_, state_);
+        for (const double value : values) largest_ = std::max(largest_, std::fabs(value));
+        if (checks_.contains(now) || now == 0) {
+            const double changed = before_.size() == values.size() ? stats::change(grid(before_), grid(values)) : 1.0;
+            if (changed > 1e-3) settled_.reset();
+            if (changed <= 1e-3 && !settled_ && now > 0) settled_ = before_at_;
+            if (options_.steady && now > 0 && changed <= *options_.steady) steady_ = true;
+            before_ = values;
+            before_at_ = now;
+        }
+        if (ends_.contains(now) || steady_) {
+            if (followed_ != values.size()) course_ = {};
+            followed_ = values.size();
+            course_.show(grid(values));
+        }
+    }
+
+    TileResult finished() {
+        TileResult result;
+        result.iterations = tissue_.iteration();
+        result.settled = settled_;
+        result.statistics = stats::statistics_of(grid(shown(experiment_, state_)));
+        const bool flat = stats::uniform(*result.statistics);
+        if (course_.states() > 1)
+            result.verdict = course_.verdict(largest_);
+        else
+            result.verdict = flat ? stats::Verdict::uniform : stats::Verdict::stationary;
+        result.hash = hash_of(state_);
+        result.state = std::move(state_);
+        return result;
+    }
+
+    TileResult broken() {
+        TileResult result;
+        result.iterations = tissue_.iteration();
+        result.verdict = stats::Verdict::not_a_number;
+        result.state = tissue_.read();
+        result.hash = hash_of(result.state);
+        return result;
+    }
+
+    Tissue& tissue_;
+    const Experiment& experiment_;
+    const TileOptions& options_;
+    std::set<std::uint64_t> checks_, ends_;
+    Snapshot state_;
+    std::vector<double> before_;
+    std::uint64_t before_at_ = 0;
+    std::optional<std::uint64_t> settled_;
+    stats::Course course_;
+    std::size_t followed_ = 0;
+    bool steady_ = false;
+    double largest_ = 0.0;  // of all values seen
+};
+
+}  // namespace
+
+std::vector<double> shown(const Experiment& experiment, const Snapshot& state) {
+    const std::size_t output = first_of_colours(experiment);
+    const Drawn drawn(experiment, experiment.outputs.at(output), output, state);
+    return {drawn.values().begin(), drawn.values().end()};
+}
+
+std::string hash_of(const Snapshot& state) {
+    std::string bytes;
+    for (const std::vector<double>& column : state.conc) {
+        for (const double value : column) {
+            const auto word = std::bit_cast<std::uint64_t>(value);
+            for (unsigned i = 0; i < 8; ++i) bytes += static_cast<char>(word >> (8 * i) & 0xffu);
+        }
+    }
+    return sha256(bytes).substr(0, 16);
+}
+
+std::optional<TileResult> run_tile(Tissue& tissue, const Experiment& experiment, const TileOptions& options) {
+    return Watch(tissue, experiment, options).carry_out();
+}
+
+void check_measurable(const Experiment& experiment) {
+    if (std::holds_alternative<Lattice>(space_of(experiment))) return;
+    throw Error(experiment.source + ": a sweep measures lattices; free cells have no rows and columns");
+}
+
+}  // namespace pelage::sweep

@@ -1,0 +1,45 @@
+// One tile of a sweep: a run, and what is measured of it.
+#pragma once
+
+#include "core/experiment.hpp"
+#include "core/snapshot.hpp"
+#include "core/tissue.hpp"
+#include "stats/course.hpp"
+#include "stats/statistics.hpp"
+
+#include <cstdint>
+#include <functional>
+#include <optional>
+#include <string>
+
+namespace pelage::sweep {
+
+struct TileOptions {
+    std::uint64_t last = 0;        // iteration at which the run ends
+    std::optional<double> steady;  // ends it earlier: once a hundredth of the run changes less than this
+    std::function<bool()> interrupted = [] { return false; };
+};
+
+struct TileResult {
+    std::uint64_t iterations = 0;
+    stats::Verdict verdict = stats::Verdict::uniform;
+    std::optional<std::uint64_t> settled;  // from where on each twentieth of the run changes less than a thousandth
+    std::optional<stats::Statistics> statistics;  // none where there are NaNs
+    std::string hash;                             // of all concentrations of the final state: SHA-256, 16 digits
+    Snapshot state;                               // the final one
+};
+
+// What the tile shows of a state: what the experiment's first picture of colours draws.
+std::vector<double> shown(const Experiment&, const Snapshot&);
+
+// The first 16 digits of the SHA-256 of the concentrations as little-endian doubles, chemical after chemical.
+std::string hash_of(const Snapshot&);
+
+// Empty: it was interrupted. The tissue is at iteration 0. What is shown is measured at twenty moments, and in the last
+// tenth at eight more for the verdict; reading changes no bit.
+std::optional<TileResult> run_tile(Tissue&, const Experiment&, const TileOptions&);
+
+// Throws Error for free cells, which have no rows and columns to measure in.
+void check_measurable(const Experiment&);
+
+}  // namespace pelage::sweep

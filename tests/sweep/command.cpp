@@ -1,0 +1,181 @@
+// `pelage sweep` as a user meets it.
+#include "core/prepattern.hpp"
+#include "language/parse.hpp"
+#include "reference/backend.hpp"
+#include "support/process.hpp"
+#include "sweep/tile.hpp"
+
+#include <catch2/catch.hpp>
+
+#include <fstream>
+#include <map>
+#include <sstream>
+#include <string>
+#include <vector>
+
+using namespace pelage;
+using Catch::Contains;
+using test::command;
+using test::Folder;
+using test::Outcome;
+using test::read_all;
+
+namespace {
+
+const std::string text =
+    "define parameter F 0.037 from 0 to 0.1\ndefine parameter K 0.06\ndefine parameter side 24\n"
+    "define chemical U limit 1\ndefine chemical V limit 1\nuse seed 7\n"
+    "use chemical U conc 1 diff 0.2\nuse chemical V conc 0 dev 0.4 diff 0.1\ncreate matrix side 20 wrap\n"
+    "rule always react U V gray-scott f F k K\nstop at 200\noutput V colormap viridis\n";
+
+using Row = std::map<std::string, std::string>;
+
+std::vector<Row> rows_of(const std::string& csv) {
+    std::istringstream lines(csv);
+    std::vector<Row> rows;
+    std::vector<std::string> names;
+    for (std::string line; std::getline(lines, line);) {
+        std::vector<std::string> fields;
+        std::istringstream parts(line + ",");
+        for (std::string part; std::getline(parts, part, ',');) fields.push_back(part);
+        if (names.empty()) {
+            names = fields;
+            continue;
+        }
+        REQUIRE(fields.size() == names.size());
+        for (std::size_t i = 0; i < fields.size(); ++i) {
+            if (i == 0) rows.emplace_back();
+            rows.back()[names[i]] = fields[i];
+        }
+    }
+    return rows;
+}
+
+std::string without_times(const std::string& csv) {
+    std::istringstream lines(csv);
+    std::string all;
+    for (std::string line; std::getline(lines, line);) all += line.substr(0, line.rfind(',')) + "\n";
+    return all;
+}
+
+class Bench {
+public:
+    Outcome sweep(std::vector<std::string> more, const std::string& out = "out") const {
+        std::vector<std::string> words{"sweep", file, "--backend", "reference", "--out", (folder / out).string()};
+        words.insert(words.end(), more.begin(), more.end());
+        return command(words);
+    }
+    std::string csv(const std::string& out = "out") const { return read_all(folder / (out + "/sweep.csv")); }
+
+    Folder folder;
+    std::string file = folder.write("map.pex", text);
+};
+
+}  // namespace
+
+TEST_CASE("each tile ends in the bits of its single run, on both backends, structure and seeds included") {
+    const Bench bench;
+    const bool device = GENERATE(false, true);
+    std::vector<std::string> words{"--vary", "K=0.05,0.065", "--vary", "side=16:32:2", "--replicates", "2"};
+    if (device) words.insert(words.end(), {"--backend", "opencl", "--no-self-test"});
+    std::vector<std::string> all{"sweep", bench.file, "--out", (bench.folder / "out").string()};
+    if (!device) all.insert(all.end(), {"--backend", "reference"});
+    all.insert(all.end(), words.begin(), words.end());
+    const Outcome outcome = command(all);
+    INFO(outcome.err);
+    REQUIRE(outcome.exit_code == 0);
+    const std::vector<Row> rows = rows_of(bench.csv());
+    REQUIRE(rows.size() == 8);
+    for (const Row& row : rows) {
+        Experiment experiment = parse_experiment(text, "map.pex", "", nullptr, StartPictures::read,
+                                                 {{"K", row.at("K")}, {"side", row.at("side")}});
+        experiment.seed = std::stoll(row.at("seed"));
+        CHECK(*experiment.seed == 7 + std::stoll(row.at("replicate")));
+        const auto tissue = reference_backend(Precision::single_)->make_tissue(experiment, initial_state(experiment));
+        tissue->advance(200);
+        CHECK(row.at("hash") == sweep::hash_of(tissue->read()));
+    }
+    CHECK(std::filesystem::file_size(bench.folder / "out/sheet.png") > 1000);
+}
+
+TEST_CASE(
+    "a sweep that is cut off goes on where it was, and ends in the same table; another one is refused its folder") {
+    const Bench bench;
+    const std::vector<std::string> words{"--vary", "K=0.05:0.07:5", "--vary", "F=0.02,0.04"};
+    REQUIRE(bench.sweep(words, "whole").exit_code == 0);
+    REQUIRE(bench.sweep(words).exit_code == 0);
+    const std::string whole = bench.csv();
+    // As after a kill: some rows, the last one half.
+    std::size_t cut = 0;
+    for (int line = 0; line < 4; ++line) cut = whole.find('\n', cut) + 1;
+    std::ofstream(bench.folder / "out/sweep.csv", std::ios::binary) << whole.substr(0, cut + 9);
+    const Outcome again = bench.sweep(words);
+    INFO(again.err);
+    CHECK(again.exit_code == 0);
+    CHECK_THAT(again.err, Contains("3 tiles are there already"));
+    CHECK_THAT(again.out, Contains("7 tiles in"));
+    CHECK(without_times(bench.csv()) == without_times(bench.csv("whole")));
+    CHECK_THAT(bench.sweep(words).err, Contains("10 tiles are there already"));
+
+    const Outcome other = bench.sweep({"--vary", "K=0.05:0.07:6", "--vary", "F=0.02,0.04"});
+    CHECK(other.exit_code == 2);
+    CHECK_THAT(other.err, Contains("holds another sweep"));
+    std::ofstream(bench.file, std::ios::app) << "output U\n";
+    CHECK(bench.sweep(words).exit_code == 2);
+    CHECK(without_times(bench.csv()) == without_times(bench.csv("whole")));
+}
+
+TEST_CASE("what tiles end in: uniform, a pattern, NaN, an unstable step; settled tiles may end early") {
+    const Folder folder;
+    const std::string file =
+        folder.write("kinds.pex",
+                     "define parameter g 0\ndefine parameter d 0.1\ndefine chemical U floor none\nuse chemical U conc "
+                     "1 dev 0.5 diff d\n"
+                     "create matrix 16 16 wrap\nrule always react U by (g * U * U * U)\nstop at 400\noutput U\n");
+    const auto verdicts = [&](const std::string& vary, const std::string& out) {
+        const Outcome outcome =
+            command({"sweep", file, "--backend", "reference", "--vary", vary, "--out", (folder / out).string()});
+        INFO(outcome.err);
+        REQUIRE(outcome.exit_code == 0);
+        std::vector<std::string> all;
+        for (const Row& row : rows_of(read_all(folder / (out + "/sweep.csv")))) all.push_back(row.at("verdict"));
+        return all;
+    };
+    CHECK(verdicts("g=0,10", "a") == std::vector<std::string>{"uniform", "NaN"});
+    CHECK(verdicts("d=0,1", "b") == std::vector<std::string>{"stationary", "unstable"});
+
+    const Outcome early = command({"sweep", file, "--backend", "reference", "--vary", "d=0,0.3", "--until", "steady",
+                                   "1e-3", "--out", (folder / "c").string()});
+    REQUIRE(early.exit_code == 0);
+    const std::vector<Row> rows = rows_of(read_all(folder / "c/sweep.csv"));
+    CHECK(rows.at(0).at("iterations") == "4");
+    CHECK(std::stoi(rows.at(1).at("iterations")) < 400);
+}
+
+TEST_CASE("a sweep that makes no sense says why") {
+    const Bench bench;
+    const auto refused = [&](const std::vector<std::string>& words) {
+        const Outcome outcome = bench.sweep(words);
+        CHECK(outcome.exit_code == 2);
+        return outcome.err;
+    };
+    CHECK_THAT(refused({}), Contains("nothing varies"));
+    CHECK_THAT(refused({"--vary", "Q=1,2"}), Contains("defines no parameter of that name; defined there: F, K, side"));
+    CHECK_THAT(refused({"--vary", "F=0.05,0.2"}),
+               Contains("0.2 is out of range; parameter 'F' must be a number from 0 to 0.1"));
+    CHECK_THAT(refused({"--vary", "F=1:2"}), Contains("a range is written"));
+    CHECK_THAT(refused({"--vary", "F=0:0.1:3", "--samples", "5"}), Contains("where samples are drawn"));
+    CHECK_THAT(refused({"--samples", "5"}), Contains("give at least one"));
+    CHECK_THAT(refused({"--vary", "F=0:0.1:3", "--latin"}), Contains("--samples"));
+    CHECK_THAT(refused({"--vary", "K=1,2", "--points", bench.file}), Contains("leave --vary out"));
+    CHECK_THAT(refused({"--vary", "K=1,2", "--until", "steady", "0"}), Contains("steady TOLERANCE"));
+    CHECK_THAT(refused({"--vary", "K=1,2", "--until", "calm", "0.1"}), Contains("steady TOLERANCE"));
+    CHECK_THAT(refused({"--vary", "K=0:1:1001", "--vary", "F=0:0.1:1001"}), Contains("more than 1000000 tiles"));
+    CHECK_THAT(command({"sweep", bench.file, "--vary", "K=0.05,0.06", "--out", "/proc/nothing"}).err,
+               Contains("/proc/nothing"));
+    CHECK_FALSE(std::filesystem::exists(bench.folder / "out/sweep.csv"));
+    const std::string cells =
+        bench.folder.write("cells.pex", "define parameter d 1\ndefine chemical U\ncreate cell 0 d\n");
+    CHECK_THAT(command({"sweep", cells, "--vary", "d=1,2", "--out", (bench.folder / "cells").string()}).err,
+               Contains("free cells have no rows and columns"));
+}
