@@ -69,6 +69,13 @@ void add_machine(CLI::App& command, SweepOptions& options) {
             "Numbers: float or double. Default: float")
         ->type_name("float|double")
         ->check(one_of({"float", "double"}));
+    command
+        .add_option(
+            "--jobs", options.jobs,
+            "Tiles at one time, each on one processor. Default: as many as there are processors, for small tiles "
+            "on a processor; else 1")
+        ->type_name("N")
+        ->transform(whole_number(1, 256));
     command.add_flag("--no-self-test", options.run.no_self_test, "Leave out the test in small that comes before");
 }
 

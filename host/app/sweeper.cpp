@@ -22,6 +22,8 @@
 #include "io/locked.hpp"
 #include "io/npy.hpp"
 #include "io/sha256.hpp"
+#include "opencl/backend.hpp"
+#include "reference/backend.hpp"
 #include "sweep/table.hpp"
 #include "sweep/tile.hpp"
 
@@ -30,10 +32,15 @@
 #include <unistd.h>
 
 #include <algorithm>
+#include <atomic>
 #include <charconv>
 #include <chrono>
 #include <cstdio>
+#include <exception>
 #include <map>
+#include <memory>
+#include <mutex>
+#include <thread>
 #include <utility>
 
 namespace pelage::app {
@@ -127,20 +134,73 @@ public:
         announce(machine);
         const Interrupt interrupt;
         const Clock::time_point start = Clock::now();
-        std::size_t run = 0;
-        const Bar bar(options_.run.quiet);
-        for (std::size_t tile = 0; tile < design_.points.size(); ++tile) {
-            if (table_.has(tile)) continue;
-            if (Interrupt::came() || !take(machine, tile)) return stopped(bar);
-            ++run;
-            const double seconds = std::chrono::duration<double>(Clock::now() - start).count();
-            bar.show(table_.size(), design_.points.size(), seconds / static_cast<double>(run));
-        }
-        bar.clear();
-        return finish(run, std::chrono::duration<double>(Clock::now() - start).count());
+        const std::size_t there = table_.size();
+        const bool whole = run_tiles(machine, start);
+        if (!whole) return stopped();
+        return finish(table_.size() - there, seconds_since(start));
     }
 
 private:
+    static double seconds_since(Clock::time_point start) {
+        return std::chrono::duration<double>(Clock::now() - start).count();
+    }
+
+    // Tiles at one time. Small ones on processors run side by side, each on one of them: strips that wait for each
+    // other would cost more.
+    std::size_t jobs(const Machine& machine) const {
+        constexpr double small = 1 << 17;  // cells
+        if (options_.jobs != 0) return std::min(options_.jobs, design_.points.size());
+        const bool processor = !machine.opencl || machine.info.processor();
+        if (!processor || footprint(first_, last_, options_.run.precision, false).cells > small) return 1;
+        return std::clamp<std::size_t>(std::thread::hardware_concurrency(), 1, design_.points.size());
+    }
+
+    std::unique_ptr<Backend> worker(const Machine& machine) const {
+        if (!machine.opencl) return reference_backend(options_.run.precision);
+        OpenclOptions wanted = *machine.opencl;
+        wanted.units = 1;
+        return opencl_backend(wanted);
+    }
+
+    // False: interrupted. What goes wrong in one tile ends all.
+    bool run_tiles(const Machine& machine, Clock::time_point start) {
+        const Bar bar(options_.run.quiet);
+        const std::size_t there = table_.size(), all = design_.points.size(), side_by_side = jobs(machine);
+        std::atomic<std::size_t> next = 0;
+        std::atomic<bool> ending = false;
+        std::exception_ptr failure;
+        const auto work = [&](Backend& backend) {
+            for (std::size_t tile = next++; tile < all && !ending; tile = next++) {
+                if (taken_up(tile)) continue;
+                try {
+                    if (Interrupt::came() || !take(backend, tile)) ending = true;
+                } catch (...) {
+                    const std::lock_guard lock(guard_);
+                    if (!failure) failure = std::current_exception();
+                    ending = true;
+                }
+                const std::lock_guard lock(guard_);
+                const std::size_t run = std::max<std::size_t>(1, table_.size() - there);
+                bar.show(table_.size(), all, seconds_since(start) / static_cast<double>(run));
+            }
+        };
+        if (side_by_side == 1) {
+            work(*machine.backend);
+        } else {
+            std::vector<std::unique_ptr<Backend>> backends;
+            for (std::size_t i = 0; i < side_by_side; ++i) backends.push_back(worker(machine));
+            std::vector<std::jthread> threads;
+            for (const auto& backend : backends) threads.emplace_back([&] { work(*backend); });
+        }
+        if (failure) std::rethrow_exception(failure);
+        return !ending;
+    }
+
+    bool taken_up(std::size_t tile) {
+        const std::lock_guard lock(guard_);
+        return table_.has(tile);
+    }
+
     Experiment experiment_of(std::size_t tile) const {
         const sweep::Point& point = design_.points[tile];
         std::vector<Setting> settings = settings_of(options_.run.settings);
@@ -225,7 +285,7 @@ private:
     }
 
     // False: interrupted.
-    bool take(const Machine& machine, std::size_t tile) {
+    bool take(Backend& backend, std::size_t tile) {
         const Clock::time_point start = Clock::now();
         const Experiment experiment = experiment_of(tile);
         sweep::check_measurable(experiment);
@@ -235,12 +295,13 @@ private:
             result.emplace();
             result->verdict = stats::Verdict::unstable;
         } else {
-            const auto tissue = machine.backend->make_tissue(experiment, initial);
+            const auto tissue = backend.make_tissue(experiment, initial);
             result = sweep::run_tile(*tissue, experiment, {last_, steady_, Interrupt::came});
             if (!result) return false;
             keep(experiment, tile, result->state);
         }
-        const double seconds = std::chrono::duration<double>(Clock::now() - start).count();
+        const double seconds = seconds_since(start);
+        const std::lock_guard lock(guard_);
         table_.add(tile, design_.points[tile], experiment.run_seed(), *result, seconds);
         return true;
     }
@@ -258,8 +319,7 @@ private:
         write_results(folder_ / "tiles", std::to_string(tile), state, experiment, what);
     }
 
-    int stopped(const Bar& bar) const {
-        bar.clear();
+    int stopped() const {
         say(stderr, "pelage: stopped after {} of {} tiles; the same command goes on\n", table_.size(),
             design_.points.size());
         return interrupted;
@@ -305,6 +365,7 @@ private:
     fs::path folder_;
     Experiment first_;
     sweep::Table table_;
+    std::mutex guard_;  // of the table
     std::uint64_t last_ = 0;
 };
 

@@ -21,6 +21,7 @@ struct SweepOptions {
     std::size_t replicates = 1;
     std::vector<std::string> until;  // empty, or "steady" and a tolerance
     std::string sheet = "png";
+    std::size_t jobs = 0;  // tiles at one time; 0: as many as processors, where tiles are small and run on them
 };
 
 // Returns the exit code. Throws Error when the sweep cannot begin or its results cannot be written.

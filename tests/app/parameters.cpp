@@ -56,7 +56,7 @@ TEST_CASE("what is set gives the bits of the same experiment written so, and the
     CHECK_THAT(manifest.at("options").at("set").get<std::string>(), Contains("feed=0.05"));
 }
 
-TEST_CASE("--random draws each parameter within its range, the same for the same number, and writes what it drew") {
+TEST_CASE("parameters drawn at random lie within their ranges, are the same for the same number, and are written") {
     const Folder folder;
     const std::string file = folder.write(
         "ranges.pex",

@@ -44,6 +44,7 @@ struct OpenclOptions {
     // Lets the compiler contract and reorder floating-point arithmetic: faster on some devices, and equality with
     // the reference, even from run to run of another build, is given up.
     bool fast = false;
+    std::size_t units = 0;       // compute units that work is cut for, at most; 0: all that the device has
     std::size_t work_group = 0;  // work-items in a group; 0: ours to choose
     std::size_t variants = 16;   // programs for sets of active rules before one that tests all intervals itself
     std::size_t width = 0;       // cells a work-item handles side by side, 1, 2, 4, 8 or 16; 0: ours to choose

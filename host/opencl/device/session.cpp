@@ -14,6 +14,8 @@
 namespace pelage {
 
 Session::Session(DeviceInfo info, OpenclOptions options) : info_(std::move(info)), options_(std::move(options)) {
+    if (options_.units != 0 && options_.units < info_.compute_units)
+        info_.compute_units = static_cast<std::uint32_t>(options_.units);
     with_device(info_.name, [&] {
         const SubnormalsAreZero scope(!is_double());  // see list_devices()
         device_ = cl::Device(static_cast<cl_device_id>(info_.id), true);
