@@ -89,7 +89,17 @@ private:
         return what;
     }
 
-    // Between 0.25 and 2: a function of what changes, and of what belongs to the place.
+    // One number or another, from 0.05 to 0.75, by a condition of every sign and joint.
+    std::string choice() const {
+        const char* const signs[] = {"==", "!=", "<", "<=", ">", ">="};
+        const char* const joints[] = {"G {} 1.5 and Q < 3.5", "G {} 1.5 or Q < 2.5", "not (G {} 1.5)"};
+        const std::size_t turn = nth_ + case_.made->number;
+        const std::string first = fmt::format(fmt::runtime(joints[turn / 2 % 3]), signs[turn % 6]);
+        const char* const field = nth_ % 2 == 0 ? "slope" : "ramp";
+        return fmt::format("if({}, 0.5 * {}, -(G - 3) / 4) * if(G {} 2, 1, 0.5)", first, field, signs[(turn + 2) % 6]);
+    }
+
+    // Between 0.25 and 2: a function of what changes, and of what belongs to the place, and a choice.
     std::string expression() const {
         const FunctionFacts& function = function_table()[(nth_ + case_.made->number) % function_table().size()];
         const char* const arguments[] = {"Q", "(2 - ramp)", "(G + 1)"};
@@ -100,7 +110,7 @@ private:
                                    : nth_ % 3 == 0 ? "laplacian(Q)"
                                    : nth_ % 3 == 1 ? "(gradient_x(Q) - gradient_y(G))"
                                                    : "0.1 * sin(X * Y) * ramp";
-        return fmt::format("(min(2, max(0.25, {} + {})))", call + ")", around);  // NaN gives 0.25
+        return fmt::format("(min(1.25, max(0.25, {} + {})) + {})", call + ")", around, choice());  // NaN gives 0.25
     }
 
     // In comparisons concentrations are those of G, which are few numbers.

@@ -56,6 +56,7 @@ private:
         line("define time_step 0.05");
         line(lattice() ? "define field ramp (0.5 + 0.25 * sin(0.7 * COLUMN) + 0.125 * RANDOM)"
                        : "define field ramp (0.5 + 0.01 * X)");
+        line("define field slope (0.5 + 0.25 * cos(0.9 * Y))");
         if (lattice()) {
             if (world_["stencil"] != "published") line("define stencil " + world_["stencil"]);
             return;

@@ -24,13 +24,14 @@ constexpr std::uint64_t quick_iterations = 50;
 constexpr std::size_t many_sizes = 10;
 
 // The cases that the quick form runs: each kernel path once, in the fewest programs.
-constexpr std::array<std::string_view, 22> quick_cases{"rules/whole-numbers/fused",
+constexpr std::array<std::string_view, 23> quick_cases{"rules/whole-numbers/fused",
                                                        "diffusion/nine-point/no-flux",
                                                        "diffusion/nine-point/wrap",
                                                        "diffusion/nine-point/absorbing",
                                                        "diffusion/moore/wrap",
                                                        "diffusion/five-point/no-flux",
                                                        "diffusion/sims/absorbing",
+                                                       "diffusion/own-weights/absorbing",
                                                        "diffusion/published/open",
                                                        "diffusion/published/wrap",
                                                        "reaction/fused",
@@ -48,7 +49,8 @@ constexpr std::array<std::string_view, 22> quick_cases{"rules/whole-numbers/fuse
                                                        "sizes/many-rows"};
 // Of these also with a second work-group size, and on the other paths.
 constexpr std::array<std::string_view, 2> quick_groups{"diffusion/nine-point/no-flux", "diffusion/published/open"};
-constexpr std::array<std::string_view, 2> quick_streamed{"rules/draws/fused", "growth/plain/no-flux"};
+constexpr std::array<std::string_view, 3> quick_streamed{"rules/draws/fused", "growth/plain/no-flux",
+                                                         "diffusion/own-weights/no-flux"};
 constexpr std::array<std::string_view, 3> quick_shared{"diffusion/nine-point/wrap", "rates/uneven/published/open",
                                                        "growth/plain/no-flux"};
 constexpr std::array<std::string_view, 2> quick_tiled{"diffusion/nine-point/no-flux",

@@ -10,6 +10,13 @@
 
 namespace pelage::verify {
 
+namespace {
+
+// Work-items beyond the last chunk, if a group is not full, must do nothing.
+constexpr std::size_t group = 3;
+
+}  // namespace
+
 struct DeviceSort::Buffers {
     int points = 0;
     cl::Buffer keys, sorted_keys, end, counts, sums, starts, order, spare_order;
@@ -32,17 +39,17 @@ void DeviceSort::pass(Buffers& at, const SortShape& shape, bool first, int shift
     const auto items = static_cast<std::size_t>(shape.chunks);
     const int scanners = shape.bits == 0 ? shape.chunks : std::min(256, 1 << shape.bits);
     pelage::Arguments(session_, count_).add(at.keys, at.points, shape.chunks, shape.bits, shift, at.end, at.counts);
-    launch(session_, count_, items);
+    launch(session_, count_, items, group);
     pelage::Arguments(session_, sum_).add(at.counts, shape.chunks, shape.bits, at.end, scanners, at.sums);
-    launch(session_, sum_, static_cast<std::size_t>(scanners));
+    launch(session_, sum_, static_cast<std::size_t>(scanners), group);
     pelage::Arguments(session_, scan_)
         .add(at.counts, at.points, shape.chunks, shape.bits, at.end, scanners, at.sums, at.starts);
-    launch(session_, scan_, static_cast<std::size_t>(scanners));
+    launch(session_, scan_, static_cast<std::size_t>(scanners), group);
     if (!first) std::swap(at.order, at.spare_order);
     pelage::Arguments(session_, scatter_)
         .add(at.keys, first ? at.order : at.spare_order, first ? 1 : 0, at.points, shape.chunks, shape.bits, shift,
              at.end, at.counts, at.sorted_keys, at.order);
-    launch(session_, scatter_, items);
+    launch(session_, scatter_, items, group);
 }
 
 Sorted DeviceSort::order(const std::vector<std::uint32_t>& keys, std::uint32_t end, const SortShape& shape) {
@@ -72,7 +79,7 @@ Sorted DeviceSort::order(const std::vector<std::uint32_t>& keys, std::uint32_t e
                 std::swap(at.keys, at.sorted_keys);
             }
             pelage::Arguments(session_, starts_).add(at.keys, at.points, at.end, at.starts);
-            launch(session_, starts_, end);
+            launch(session_, starts_, end, group);
         }
         Sorted sorted{std::vector<std::uint32_t>(keys.size()), std::vector<std::uint32_t>(end + 1)};
         session_.queue().enqueueReadBuffer(at.order, CL_TRUE, 0, ints, sorted.order.data());
