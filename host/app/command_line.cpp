@@ -171,6 +171,7 @@ void define(CLI::App& app, int& exit_code) {
     add_verify(app, exit_code);
     add_bench(app, exit_code);
     add_tune(app, exit_code);
+    add_import(app, exit_code);
     add_help(app, exit_code);
     add_completion(app, exit_code);
     refuse_values_of_flags(app);

@@ -22,6 +22,7 @@ void add_measure(CLI::App&, int& exit_code);
 void add_verify(CLI::App&, int& exit_code);
 void add_bench(CLI::App&, int& exit_code);
 void add_tune(CLI::App&, int& exit_code);
+void add_import(CLI::App&, int& exit_code);
 void add_help(CLI::App&, int& exit_code);
 void add_completion(CLI::App&, int& exit_code);
 
