@@ -123,6 +123,20 @@ Snapshot Tissue::read() const {
     return snapshot;
 }
 
+void Tissue::read_conc(std::size_t chemical, std::vector<float>& to) const {
+    check_whole();
+    if (chemical >= experiment_->chemicals.size()) {
+        throw Error(fmt::format("chemical {} cannot be read; there are {}", chemical, experiment_->chemicals.size()));
+    }
+    do_read_conc(chemical, to);
+}
+
+void Tissue::do_read_conc(std::size_t chemical, std::vector<float>& to) const {
+    const Snapshot state = do_read();
+    to.resize(state.cells());
+    std::ranges::transform(state.conc[chemical], to.begin(), [](double value) { return static_cast<float>(value); });
+}
+
 std::optional<NonFinite> Tissue::non_finite() const {
     check_whole();
     return do_non_finite();

@@ -50,6 +50,9 @@ public:
     void advance(std::uint64_t iterations);
 
     Snapshot read() const;
+    // The amounts of one chemical alone, in single precision; `to` keeps its memory from call to call. Throws Error
+    // when there is no such chemical.
+    void read_conc(std::size_t chemical, std::vector<float>& to) const;
     // Throws Error when the arrays do not fit the experiment, or hold what no run can come to: an iteration that is too
     // large, a cell born after it, a mirror pair of cells that are not there, on a lattice a rate below 0.
     void write(const Snapshot&);
@@ -77,6 +80,7 @@ private:
     virtual void do_advance(std::uint64_t first, std::uint64_t count) = 0;
     virtual void do_set_rate(std::size_t chemical, double rate) = 0;  // of every cell
     virtual Snapshot do_read() const = 0;                             // iteration is filled in by read()
+    virtual void do_read_conc(std::size_t chemical, std::vector<float>& to) const;
     virtual void do_write(const Snapshot&) = 0;
     virtual std::optional<NonFinite> do_non_finite() const = 0;
 

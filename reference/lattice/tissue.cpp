@@ -11,6 +11,7 @@
 #include "reference/lattice/resample.hpp"
 #include "reference/rules/rules.hpp"
 
+#include <algorithm>
 #include <type_traits>
 #include <utility>
 
@@ -66,6 +67,11 @@ private:
     }
 
     Snapshot do_read() const override { return snapshot_from(state_); }
+
+    void do_read_conc(std::size_t chemical, std::vector<float>& to) const override {
+        to.resize(state_.cells());
+        std::ranges::transform(state_.conc[chemical], to.begin(), [](T value) { return static_cast<float>(value); });
+    }
 
     void do_write(const Snapshot& snapshot) override {
         plan_ = lattice_plan(experiment(), snapshot);

@@ -189,6 +189,39 @@ std::vector<std::vector<V>> Planes::download(const Grid& grid) const {
     return read_elements<V, float>(session_, now_, grid, planes_);
 }
 
+namespace {
+
+// Moves the cells out of rows that are `pitch` apart, to the front of the same array or to another one.
+template <class Element>
+void take_cells(const Grid& grid, const Element* from, float* to) {
+    for (std::size_t row = 0; row < grid.rows; ++row) {
+        const Element* cells = from + row * grid.pitch();
+        if constexpr (std::is_same_v<Element, float>) {
+            std::copy(cells, cells + grid.columns, to + row * grid.columns);  // the same place or one before
+        } else {
+            std::transform(cells, cells + grid.columns, to + row * grid.columns,
+                           [](Element value) { return static_cast<float>(value); });
+        }
+    }
+}
+
+}  // namespace
+
+void Planes::download(const Grid& grid, std::size_t plane, std::vector<float>& to) const {
+    const std::size_t begin = cell_place(grid, plane, 0) * element_bytes();
+    const std::size_t count = (grid.rows - 1) * grid.pitch() + grid.columns;
+    if (session_.is_double()) {
+        std::vector<double> values(count);
+        session_.queue().enqueueReadBuffer(now_, CL_TRUE, begin, count * sizeof values[0], values.data());
+        to.resize(grid.cells());
+        return take_cells(grid, values.data(), to.data());
+    }
+    to.resize(count);
+    session_.queue().enqueueReadBuffer(now_, CL_TRUE, begin, count * sizeof to[0], to.data());
+    take_cells(grid, to.data(), to.data());
+    to.resize(grid.cells());
+}
+
 void Planes::fill(const Grid& grid, std::size_t plane, double value) {
     auto values = download<double>(grid);
     std::fill(values[plane].begin(), values[plane].end(), value);

@@ -52,7 +52,8 @@ public:
     void upload(const Grid&, const std::vector<std::vector<V>>& values);
     template <class V>
     std::vector<std::vector<V>> download(const Grid&) const;
-    void fill(const Grid&, std::size_t plane, double value);  // every cell of it
+    void download(const Grid&, std::size_t plane, std::vector<float>& to) const;  // one of them, of scalars
+    void fill(const Grid&, std::size_t plane, double value);                      // every cell of it
 
 private:
     std::size_t element_bytes() const { return integers_ ? 4 : session_.scalar_bytes(); }

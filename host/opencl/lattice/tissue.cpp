@@ -102,6 +102,10 @@ private:
         return with_device(session_->info().name, [&] { return state_->read(); });
     }
 
+    void do_read_conc(std::size_t chemical, std::vector<float>& to) const override {
+        with_device(session_->info().name, [&] { state_->conc().download(state_->grid(), chemical, to); });
+    }
+
     void do_write(const Snapshot& snapshot) override {
         with_device(session_->info().name, [&] {
             const LatticePlan plan = lattice_plan(experiment(), snapshot);
