@@ -42,15 +42,17 @@ void check_host_memory(const Experiment& experiment, const Footprint& need, Work
                                                            : 0;
     const double cells = need.states() + work;
     const double compiler = worked == Worked::by_reference ? 0 : compiler_bytes;
-    if (cells + compiler <= available) return;
-    const std::string beside =
-        compiler == 0 ? "" : fmt::format(", and {} for the OpenCL driver's compiler", readable_bytes(compiler));
-    throw Error(fmt::format(
-        "{}: {:.0f} {} with {} need about {} of memory ({:.0f} bytes a cell: {:.0f} for its state in a "
-        "result, {:.0f} to compute{}); {} may be used",
-        experiment.source, need.cells, need.cells == 1 ? "cell" : "cells",
-        counted(experiment.chemicals.size(), "chemical"), readable_bytes(cells + compiler), cells / need.cells,
-        need.states() / need.cells, work / need.cells, beside, readable_bytes(available)));
+    const double all = cells + compiler + need.film;
+    if (all <= available) return;
+    std::string beside;
+    if (compiler != 0) beside += fmt::format(", and {} for the OpenCL driver's compiler", readable_bytes(compiler));
+    if (need.film != 0) beside += fmt::format(", and {} for the film", readable_bytes(need.film));
+    throw Error(
+        fmt::format("{}: {:.0f} {} with {} need about {} of memory ({:.0f} bytes a cell: {:.0f} for its state in a "
+                    "result, {:.0f} to compute{}); {} may be used",
+                    experiment.source, need.cells, need.cells == 1 ? "cell" : "cells",
+                    counted(experiment.chemicals.size(), "chemical"), readable_bytes(all), cells / need.cells,
+                    need.states() / need.cells, work / need.cells, beside, readable_bytes(available)));
 }
 
 std::string why_not_on_device(const Footprint& footprint, double available) {

@@ -16,6 +16,7 @@ struct Footprint {
     double snapshots = 0;   // that are there at once: one to be written, one to return to
     double reference = 0;   // bytes that the reference computes with
     double device = 0;      // bytes on an OpenCL device
+    double film = 0;        // bytes for what is drawn beside the run
 
     double states() const { return cells * snapshots * a_snapshot; }
 };

@@ -179,6 +179,11 @@ void Recorder::manifest(const Snapshot& state, const Tally& tally, const char* e
     if (!tally.notes.empty()) manifest.more_texts["fusion"] = fmt::format("{}", fmt::join(tally.notes, "; "));
     manifest.more_counts["first_iteration"] = tally.started_at;
     manifest.more_numbers["writing_seconds"] = writing_;
+    if (tally.frames > 0) {
+        manifest.more_texts["film"] = options_.video.file.string();
+        manifest.more_counts["film_frames"] = tally.frames;
+        manifest.more_numbers["film_seconds"] = tally.film_seconds;
+    }
     add_search(manifest, tally, options_.neighbours);
     ledger_.written();
     write_manifest(folder_ / "manifest.json", manifest, experiment_);

@@ -30,6 +30,8 @@ struct Tally {
     SearchStatistics search;         // samples of an approximate neighbour search; none of an exact one
     std::vector<std::string> notes;  // how iterations were carried out
     std::optional<ProgramCounts> programs;
+    std::uint64_t frames = 0;        // of the film
+    double film_seconds = 0;         // that the run waited for it
     double updates_per_second() const { return seconds > 0 ? updates / seconds : 0; }
 };
 
@@ -48,6 +50,7 @@ public:
     void manifest(const Snapshot&, const Tally&, const char* end);  // manifest.json and --json
 
     const std::filesystem::path& folder() const { return folder_; }
+    const CellDrawing& drawing() const { return result_options_.drawing; }
 
     // In one sentence, of pictures from before the checkpoint that cannot share the colours of those to come; empty:
     // none.

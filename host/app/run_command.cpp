@@ -1,5 +1,6 @@
 // `pelage run FILE`: its options.
 #include "app/commands.hpp"
+#include "app/film_plan.hpp"
 #include "app/run_options.hpp"
 #include "app/runner.hpp"
 #include "app/settings.hpp"
@@ -36,6 +37,18 @@ CLI::Validator formats() {
             }
         }
         return list.empty() || list.back() == ',' ? "a format is missing in '" + list + "'" : "";
+    };
+    return {look, ""};
+}
+
+CLI::Validator frame_size() {
+    const auto look = [](std::string& word) -> std::string {
+        try {
+            (void)parse_frame_size(word);
+        } catch (const Error& error) {
+            return error.what();
+        }
+        return {};
     };
     return {look, ""};
 }
@@ -155,6 +168,34 @@ void add_result_options(CLI::App& command, RunOptions& options) {
     command.add_flag("--quiet", options.quiet, "Say nothing but errors");
 }
 
+void add_video_options(CLI::App& command, VideoOptions& video) {
+    CLI::Option* file =
+        command.add_option("--video", video.file, "Make a film of the run, too: an .mp4, .webm or .gif; needs ffmpeg")
+            ->type_name("FILE");
+    command
+        .add_option("--video-of", video.of,
+                    "The output that is filmed, named as in final.NAME.png, or texture. Default: the one in final.png")
+        ->type_name("NAME")
+        ->needs(file);
+    command
+        .add_option("--every", video.every,
+                    "A frame every N iterations, and one of the first and the last state. Default: as fit 20 seconds")
+        ->type_name("N")
+        ->transform(count_from(1))
+        ->needs(file);
+    command.add_option("--fps", video.fps, "Frames that are shown in a second. Default: 30")
+        ->type_name("N")
+        ->transform(whole_number(1, 240))
+        ->needs(file);
+    command
+        .add_option("--size", video.size,
+                    "Pixels of a frame; the picture is brought to it without a change of its proportions. "
+                    "Default: as large as the pictures of the run, up to 2048 pixels")
+        ->type_name("WIDTHxHEIGHT")
+        ->check(frame_size())
+        ->needs(file);
+}
+
 // Every option the command has, so that the manifest can never miss one.
 std::vector<OptionGiven> options_given(const CLI::App& command) {
     std::vector<OptionGiven> all;
@@ -178,6 +219,7 @@ void add_run(CLI::App& app, int& exit_code) {
     add_kernel_options(*command, *options);
     add_course_options(*command, *options);
     add_result_options(*command, *options);
+    add_video_options(*command, options->video);
     command->callback([options, command, &app, &exit_code] {
         options->command = app.get_name();
         options->given = options_given(*command);

@@ -36,7 +36,31 @@ std::string shell_quoted(const std::string& word) {
     return quoted + "'";
 }
 
-std::string resume_command(const RunOptions& options, const std::filesystem::path& checkpoint, std::int64_t seed) {
+namespace {
+
+// film.mp4 becomes film-5000.mp4.
+std::filesystem::path film_from(const std::filesystem::path& file, std::uint64_t iteration) {
+    const std::string name = fmt::format("{}-{}{}", file.stem().string(), iteration, file.extension().string());
+    return std::filesystem::path(file).replace_filename(name);
+}
+
+std::vector<std::string> video_words(const VideoOptions& video, std::uint64_t iteration) {
+    if (video.file.empty()) return {};
+    std::vector<std::string> words{"--video", film_from(video.file, iteration).string()};
+    const auto add = [&](const char* option, const std::string& value) {
+        if (!value.empty()) words.insert(words.end(), {option, value});
+    };
+    add("--video-of", video.of);
+    add("--every", video.every == 0 ? "" : std::to_string(video.every));
+    add("--fps", video.fps == VideoOptions{}.fps ? "" : std::to_string(video.fps));
+    add("--size", video.size);
+    return words;
+}
+
+}  // namespace
+
+std::string resume_command(const RunOptions& options, const std::filesystem::path& checkpoint, std::uint64_t iteration,
+                           std::int64_t seed) {
     std::vector<std::string> words{options.command, "run", options.file.string()};
     const auto add = [&](const char* option, const std::string& value) {
         if (!value.empty()) words.insert(words.end(), {option, value});
@@ -58,6 +82,8 @@ std::string resume_command(const RunOptions& options, const std::filesystem::pat
     if (options.checkpoint_every != 0) add("--checkpoint-every", std::to_string(options.checkpoint_every));
     add("--json", options.json.string());
     add("--cells", options.cells == "circle" ? "" : options.cells);
+    const std::vector<std::string> video = video_words(options.video, iteration);
+    words.insert(words.end(), video.begin(), video.end());
     for (const auto& [set, option] :
          {std::pair(options.polarity_marks, "--polarity-marks"), std::pair(options.quiet, "--quiet"),
           std::pair(options.explain, "--explain"), std::pair(options.fast, "--fast"),

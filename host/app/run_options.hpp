@@ -14,6 +14,15 @@
 
 namespace pelage::app {
 
+// The film that a run leaves, as the command line wants it.
+struct VideoOptions {
+    std::filesystem::path file;  // empty: none
+    std::string of;              // the output that is filmed; empty: the first one of colours
+    std::uint64_t every = 0;     // iterations from frame to frame; 0: as fit a film of 20 seconds
+    std::uint64_t fps = 30;      // frames a second
+    std::string size;            // "WIDTHxHEIGHT" of a frame; empty: that of the pictures
+};
+
 struct RunOptions {
     std::string command = "pelage";  // as the user called it
     std::filesystem::path file;
@@ -36,6 +45,7 @@ struct RunOptions {
     std::filesystem::path json;          // empty: only DIR/manifest.json
     std::string cells = "circle";        // how free cells are drawn: circle, hexagon or voronoi
     bool polarity_marks = false;
+    VideoOptions video;
     bool quiet = false;
     bool fast = false;
     bool no_cache = false;
@@ -50,8 +60,10 @@ struct RunOptions {
     std::filesystem::path folder() const;  // `out`, or its default
 };
 
-// The command that goes on from `checkpoint` with the same options, quoted for a POSIX shell.
-std::string resume_command(const RunOptions&, const std::filesystem::path& checkpoint, std::int64_t seed);
+// The command that goes on from `checkpoint`, of this iteration, with the same options, quoted for a POSIX shell. A
+// film goes on in a file of its own.
+std::string resume_command(const RunOptions&, const std::filesystem::path& checkpoint, std::uint64_t iteration,
+                           std::int64_t seed);
 
 // One word of a POSIX shell.
 std::string shell_quoted(const std::string&);

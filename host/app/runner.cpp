@@ -3,6 +3,8 @@
 #include "core/searching.hpp"
 
 #include "app/commands.hpp"
+#include "app/film.hpp"
+#include "app/film_plan.hpp"
 #include "app/finite_guard.hpp"
 #include "app/interrupt.hpp"
 #include "app/machine.hpp"
@@ -38,7 +40,8 @@ Timetable timetable(const RunOptions& options, const Prepared& prepared) {
 
 class Run {
 public:
-    Run(const RunOptions& options, const Prepared& prepared, const Machine& machine, Tissue& tissue)
+    Run(const RunOptions& options, const Prepared& prepared, const Machine& machine, std::optional<FilmPlan> film,
+        Tissue& tissue)
         : options_(options),
           experiment_(prepared.experiment),
           tissue_(tissue),
@@ -46,7 +49,8 @@ public:
           times_(timetable(options, prepared)),
           progress_(Progress::fitting_style(options.quiet), prepared.last),
           recorder_(options, prepared.experiment, machine, prepared.resumed_at, prepared.last,
-                    [this](const std::string& file, bool large) { progress_.writing(file, large); }) {
+                    [this](const std::string& file, bool large) { progress_.writing(file, large); }),
+          film_plan_(std::move(film)) {
         tally_.started_at = tissue.iteration();
         if (!recorder_.warning().empty()) tell("pelage: warning: {}\n", recorder_.warning());
     }
@@ -54,16 +58,27 @@ public:
     int carry_out() {
         const Interrupt interrupt;
         if (const auto breakdown = rescuing([&] { return guard_.look(); })) return stop_broken(*breakdown);
+        if (film_plan_) film_.emplace(*film_plan_, tissue_, recorder_.drawing());
+        try {
+            return go_on();
+        } catch (const Error&) {
+            (void)end_film();  // what has been filmed is worth keeping
+            throw;
+        }
+    }
+
+private:
+    int go_on() {
         if (tissue_.iteration() == 0) write_due(0);
         while (tissue_.iteration() < times_.last) {
             if (Interrupt::came()) return stop_interrupted();
             if (const auto breakdown = rescuing([&] { return batch(); })) return stop_broken(*breakdown);
+            check_film();
             write_due(tissue_.iteration());
         }
         return finish();
     }
 
-private:
     template <class... Words>
     void tell(fmt::format_string<Words...> format, Words&&... words) {
         if (options_.quiet) return;
@@ -74,13 +89,16 @@ private:
     std::optional<Breakdown> batch() {
         using Clock = std::chrono::steady_clock;
         const std::uint64_t first = tissue_.iteration();
-        const std::uint64_t count = std::min(size_.iterations(), times_.next_stop(first) - first);
+        const std::uint64_t end = first + std::min(size_.iterations(), times_.next_stop(first) - first);
         const auto cells_before = static_cast<double>(tissue_.cells());
         const auto start = Clock::now();
-        tissue_.advance(count);
+        const double filmed = film_ ? film_->waited() : 0;
+        advance_to(end, start);
+        const std::uint64_t count = tissue_.iteration() - first;
         const auto breakdown = guard_.look();  // waits for the device
         sample_search(static_cast<double>(tissue_.cells()) > cells_before);
-        const double seconds = std::chrono::duration<double>(Clock::now() - start).count();
+        const double waited = film_ ? film_->waited() - filmed : 0;
+        const double seconds = std::chrono::duration<double>(Clock::now() - start).count() - waited;
         size_.took(count, seconds);
         tally_.seconds += seconds;
         tally_.notes = tissue_.report();
@@ -90,6 +108,17 @@ private:
         return breakdown;
     }
 
+    // Frame by frame where there is a film; then it may come to its turn of writing, and a batch ends early.
+    void advance_to(std::uint64_t end, std::chrono::steady_clock::time_point start) {
+        if (!film_) return tissue_.advance(end - tissue_.iteration());
+        const auto latest = start + std::chrono::duration<double>(BatchSize::target);
+        do {
+            const std::uint64_t frame = film_->plan().next(tissue_.iteration());
+            tissue_.advance(std::min(end, frame) - tissue_.iteration());
+            if (tissue_.iteration() == frame) film_->take(tissue_);
+        } while (tissue_.iteration() < end && std::chrono::steady_clock::now() < latest);
+    }
+
     // A sample costs about one exact search, so one a batch.
     void sample_search(bool growing) {
         if (options_.neighbour_search() != NeighbourSearch::spatial_sorting) return;
@@ -97,6 +126,28 @@ private:
         if (!found) return;
         tally_.search += *found;
         if (growing) tally_.growing += *found;
+    }
+
+    void check_film() {
+        const std::string failure = film_ ? film_->failure() : "";
+        if (!failure.empty()) guarded(read(), [&] { throw Error(failure); });
+    }
+
+    // What went wrong; empty: nothing.
+    std::string end_film() {
+        if (!film_) return {};
+        std::string failure;
+        try {
+            progress_.writing(options_.video.file.filename().string(), false);
+            film_->end();
+            tally_.frames = film_->frames();
+            tally_.film_seconds = film_->waited();
+        } catch (const Error& error) {
+            failure = error.what();
+        }
+        progress_.clear();
+        film_.reset();
+        return failure;
     }
 
     void write_due(std::uint64_t iteration) {
@@ -132,7 +183,7 @@ private:
                 fmt::format("{}; the state at iteration {} could not be saved either", reason, state.iteration));
         }
         throw Error(fmt::format("{}; the state at iteration {} is safe, go on with:\n  {}", reason, state.iteration,
-                                resume_command(options_, saved, experiment_.run_seed())));
+                                resume_command(options_, saved, state.iteration, experiment_.run_seed())));
     }
 
     Snapshot read() {
@@ -164,7 +215,7 @@ private:
         }
         if (!safe_) return {};
         return fmt::format("; the state at iteration {} is safe, go on with:\n  {}", *safe_,
-                           resume_command(options_, checkpoint, experiment_.run_seed()));
+                           resume_command(options_, checkpoint, *safe_, experiment_.run_seed()));
     }
 
     int finish() {
@@ -173,9 +224,10 @@ private:
         guarded(state, [&] {
             recorder_.results(state);
             recorder_.settle();
-            progress_.clear();
-            recorder_.manifest(state, tally_, "finished");
         });
+        const std::string film_failure = end_film();
+        progress_.clear();
+        guarded(state, [&] { recorder_.manifest(state, tally_, "finished"); });
         tell("{} of {} in {:.3g} s: {} million cell-updates a second\n",
              counted(state.iteration - tally_.started_at, "iteration"), counted(state.cells(), "cell"), tally_.seconds,
              megas(tally_.updates_per_second()));
@@ -188,16 +240,25 @@ private:
                 tally_.programs->cached);
         }
         if (!options_.quiet) say("Results are in {}\n", recorder_.folder().string());
+        if (!film_failure.empty()) throw Error(film_failure);
+        if (!options_.quiet && tally_.frames > 0) say("{}\n", about_film());
         return success;
+    }
+
+    std::string about_film() const {
+        return fmt::format("The film is {}, {} at {} a second", options_.video.file.string(),
+                           counted(tally_.frames, "frame"), options_.video.fps);
     }
 
     int stop_interrupted() {
         progress_.clear();
         const Snapshot state = read();
         const std::filesystem::path saved = recorder_.checkpoint(state);
+        const std::string film_failure = end_film();
         recorder_.manifest(state, tally_, "interrupted");
+        if (!film_failure.empty()) say(stderr, "pelage: {}\n", film_failure);
         say(stderr, "pelage: stopped at iteration {}; go on with:\n  {}\n", state.iteration,
-            resume_command(options_, saved, experiment_.run_seed()));
+            resume_command(options_, saved, state.iteration, experiment_.run_seed()));
         return interrupted;
     }
 
@@ -206,8 +267,10 @@ private:
         const Snapshot state = read();
         const std::filesystem::path saved = recorder_.dump(state);
         recorder_.settle();
+        const std::string film_failure = end_film();
         progress_.clear();
         recorder_.manifest(state, tally_, "non-finite");
+        if (!film_failure.empty()) say(stderr, "pelage: {}\n", film_failure);
         say(stderr, "pelage: {}: {}; the state is in {}\n", experiment_.source, describe(breakdown, tissue_),
             saved.string());
         return failed_check;
@@ -221,6 +284,8 @@ private:
     BatchSize size_;
     Progress progress_;
     Recorder recorder_;
+    std::optional<FilmPlan> film_plan_;
+    std::optional<Film> film_;
     Tally tally_;
     std::optional<std::uint64_t> safe_;  // the iteration of this run's latest checkpoint
 };
@@ -257,9 +322,10 @@ int run_experiment(const RunOptions& options) {
     Prepared prepared = prepare(options);
     warn(options, prepared);
     check_formats(options, prepared.experiment);
-    const Footprint needed =
-        footprint(prepared.experiment, prepared.last, options.precision, prepared.resumed.has_value());
+    Footprint needed = footprint(prepared.experiment, prepared.last, options.precision, prepared.resumed.has_value());
     check_cells(prepared.experiment, needed);
+    const std::optional<FilmPlan> film = plan_film(options, prepared.experiment, prepared.last);
+    if (film) needed.film = Film::bytes(*film, prepared.experiment, needed.cells);
     Machine machine = choose_machine(options, prepared.experiment, needed);
     check_host_memory(prepared.experiment, needed, worked(machine), usable_memory());
     Snapshot initial = initial_state(prepared.experiment, options.precision);
@@ -269,14 +335,15 @@ int run_experiment(const RunOptions& options) {
     prepare_folder(options.folder());
     const FolderLock lock(options.folder());
     prepare_json(options.json);
-    check_json(options);
+    if (film) prepare_folder(std::filesystem::absolute(film->file).parent_path());
+    check_named_files(options);
     tune_machine(options, prepared, start, machine);
     const std::unique_ptr<Tissue> tissue = machine.backend->make_tissue(prepared.experiment, initial);
     if (prepared.resumed) tissue->write(*prepared.resumed);
     initial = {};  // large ones are half of what a run needs
     prepared.resumed.reset();
     announce(options, prepared, machine, *tissue);
-    return Run(options, prepared, machine, *tissue).carry_out();
+    return Run(options, prepared, machine, film, *tissue).carry_out();
 }
 
 }  // namespace pelage::app

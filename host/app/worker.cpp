@@ -1,18 +1,16 @@
 // See worker.hpp.
 #include "app/worker.hpp"
 
+#include "app/processor_time.hpp"
 #include "core/error.hpp"
 #include "io/file_bytes.hpp"
 
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <array>
 #include <cerrno>
 #include <csignal>
 #include <cstring>
-#include <fstream>
-#include <sstream>
 #include <string_view>
 #include <thread>
 #include <utility>
@@ -129,18 +127,7 @@ std::optional<std::string> Worker::next() {
     return {};
 }
 
-// In /proc/PID/stat: "PID (NAME) STATE ...", the 14th and 15th word being ticks in the program and in the system.
-double Worker::processor_seconds() const {
-    std::ifstream file(fmt::format("/proc/{}/stat", child_));
-    std::string line;
-    std::getline(file, line);
-    std::istringstream words(line.substr(std::min(line.size(), line.rfind(')') + 1)));
-    std::string skipped;
-    for (int i = 0; i < 11; ++i) words >> skipped;
-    double program = 0, system = 0;
-    if (!(words >> program >> system)) return 0;
-    return (program + system) / static_cast<double>(sysconf(_SC_CLK_TCK));
-}
+double Worker::processor_seconds() const { return app::processor_seconds(child_); }
 
 std::string Worker::end() {
     close_pipes();

@@ -30,6 +30,9 @@ public:
     // What the first failed call threw, and every call after it throws again; empty: all is well.
     const std::string& failure() const { return failure_; }
 
+    // Where it lies until commit(), for another program to write it; empty: there is no such place.
+    const std::filesystem::path& aside() const { return aside_; }
+
 private:
     void open_aside();
     void check_open() const;

@@ -24,6 +24,7 @@ public:
     explicit Palette(const Colormap&);
 
     bool slotted() const { return slotted_; }
+    const std::vector<ColourStop>& stops() const { return stops_; }  // of a linear map, ascending
     // Of a value that lies `above` the low end of a range; beyond its ends the end colours.
     Rgb operator()(double above, double range) const;
     DeepRgb deep(double above, double range) const;  // 16 bits: linear maps have more colours
@@ -62,6 +63,7 @@ public:
 
     double low() const { return low_; }
     double high() const { return high_; }
+    bool flat() const { return flat_; }  // every value is grey
     Rgb operator()(double value) const;
     DeepRgb deep(double value) const;  // 16 bits; linear maps have colours between those of 8 bits
 

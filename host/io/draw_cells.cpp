@@ -33,18 +33,8 @@ struct View {
 };
 
 View fit(const Snapshot& cells, const CellDrawing& drawing) {
-    const double margin = drawing.shape == CellShape::circle ? 1.0 : drawing.shape == CellShape::hexagon ? 1.2 : 1.5;
-    double low[2] = {std::numeric_limits<double>::max(), std::numeric_limits<double>::max()};
-    double high[2] = {-low[0], -low[1]};
-    for (std::size_t i = 0; i < cells.cells(); ++i) {
-        const double at[2] = {cells.x[i], cells.y[i]};
-        if (!std::isfinite(at[0]) || !std::isfinite(at[1])) continue;
-        for (int k = 0; k < 2; ++k) {
-            low[k] = std::min(low[k], at[k]);
-            high[k] = std::max(high[k], at[k]);
-        }
-    }
-    if (low[0] > high[0]) low[0] = low[1] = high[0] = high[1] = 0.0;
+    const double margin = margin_of(drawing.shape);
+    const auto [low, high] = drawing.box ? *drawing.box : box_around(cells);
     const double width = high[0] - low[0] + 2 * margin;
     const double height = high[1] - low[1] + 2 * margin;
     const double size = static_cast<double>(std::max<std::size_t>(1, drawing.size));
@@ -133,6 +123,23 @@ void draw_marks(const Snapshot& cells, const View& view, Picture& picture) {
 }
 
 }  // namespace
+
+double margin_of(CellShape shape) { return shape == CellShape::circle ? 1.0 : shape == CellShape::hexagon ? 1.2 : 1.5; }
+
+CellBox box_around(const Snapshot& cells) {
+    CellBox box;
+    box.low.fill(std::numeric_limits<double>::max());
+    box.high.fill(-box.low[0]);
+    for (std::size_t i = 0; i < cells.cells(); ++i) {
+        const std::array<double, 2> at{cells.x[i], cells.y[i]};
+        if (!std::isfinite(at[0]) || !std::isfinite(at[1])) continue;
+        for (std::size_t k = 0; k < 2; ++k) {
+            box.low[k] = std::min(box.low[k], at[k]);
+            box.high[k] = std::max(box.high[k], at[k]);
+        }
+    }
+    return box.low[0] > box.high[0] ? CellBox{} : box;
+}
 
 Picture draw_cells(const Snapshot& cells, const Brush& brush, const CellDrawing& drawing) {
     const auto view = fit(cells, drawing);

@@ -88,9 +88,15 @@ TEST_CASE("the printed command is quoted for the shell") {
     CHECK(shell_quoted("") == "''");
     CHECK(shell_quoted("$HOME") == "'$HOME'");
     CHECK(shell_quoted("out/a-1.pex") == "out/a-1.pex");
-    CHECK(resume_command(options, "out/c.pelage", -3) ==
+    CHECK(resume_command(options, "out/c.pelage", 40, -3) ==
           "pelage run 'it'\\''s here.pex' --backend opencl --precision double --iterations 500 --seed -3 "
           "--out 'out/it'\\''s here' --snap-every 10 --fast --resume out/c.pelage");
+
+    options.video.file = "films/it's.new.mp4";
+    options.video.of = "V";
+    options.video.size = "64x48";
+    CHECK_THAT(resume_command(options, "out/c.pelage", 40, -3),
+               Catch::Contains(" --video 'films/it'\\''s.new-40.mp4' --video-of V --size 64x48 --fast"));
 }
 
 TEST_CASE("the memory a run needs counts its growth") {

@@ -276,7 +276,7 @@ TEST_CASE("a resumed run keeps --no-tune") {
     options.file = "spots.pex";
     options.no_tune = true;
 
-    CHECK_THAT(pelage::app::resume_command(options, "c.pelage", 1), Contains("--no-tune"));
+    CHECK_THAT(pelage::app::resume_command(options, "c.pelage", 40, 1), Contains("--no-tune"));
     options.no_tune = false;
-    CHECK_THAT(pelage::app::resume_command(options, "c.pelage", 1), !Contains("--no-tune"));
+    CHECK_THAT(pelage::app::resume_command(options, "c.pelage", 40, 1), !Contains("--no-tune"));
 }
