@@ -2,6 +2,7 @@
 #include "import/names.hpp"
 
 #include "core/functions.hpp"
+#include "core/models.hpp"
 #include "language/vocabulary.hpp"
 
 #include <algorithm>
@@ -15,10 +16,9 @@ namespace {
 constexpr std::size_t longest_name = 32;
 
 // Words that mean something where a name of a chemical or parameter may stand.
-constexpr std::array<std::string_view, 28> words_of_language{
-    "if",     "and",   "or",  "not",           "PI",       "inf",       "infinity",   "nan",       "none",   "each",
-    "packed", "then",  "by",  "conc",          "diff",     "scale",     "to",         "from",      "turing", "linear",
-    "gm1",    "cubic", "dev", "reinforcement", "previous", "laplacian", "gradient_x", "gradient_y"};
+constexpr std::array<std::string_view, 23> words_of_language{
+    "if", "and",  "or",   "not",   "PI", "inf",  "infinity", "nan",      "none",      "each",       "packed",    "then",
+    "by", "conc", "diff", "scale", "to", "from", "dev",      "previous", "laplacian", "gradient_x", "gradient_y"};
 
 bool is_reserved(const std::string& name) {
     std::string lower = name;
@@ -27,6 +27,7 @@ bool is_reserved(const std::string& name) {
     const auto quantities = language::words_of_quantities();
     return std::ranges::find(words_of_language, name) != words_of_language.end() ||
            std::ranges::find(quantities, name) != quantities.end() ||
+           std::ranges::find(model_table(), std::string_view(name), &ModelFacts::word) != model_table().end() ||
            std::ranges::find(function_table(), std::string_view(name), &FunctionFacts::name) != function_table().end();
 }
 
