@@ -26,7 +26,7 @@ constexpr std::array pairs{
          "U by (0.1 - 0.5 * U + U ^ 2 / (V * (1 + 0.25 * U ^ 2))) V by (U ^ 2 - V)", 41},
     Pair{"cubic-formula", "U V cubic a 1 b 2 c 3", "U by ((U - 1) * (U - 2) * (U - 3))", 31},
     Pair{"reinforcement-formula", "U reinforcement threshold 3.5 width 0.5",
-         "U by ((3.5 - 0.5 - U) * (3.5 - U) * (3.5 + 0.5 - U) * 3 * sqrt(3) / (2 * 0.5 ^ 2))", 36}};
+         "U by ((3.5 - 0.5 - U) * (3.5 - U) * (3.5 + 0.5 - U) * (3 * sqrt(3) / (2 * 0.5 ^ 2)))", 36}};
 
 std::string text(std::size_t side, const char* reaction) {
     return fmt::format(
