@@ -25,9 +25,9 @@ nlohmann::ordered_json options_of(const Manifest& manifest) {
 
 nlohmann::ordered_json inputs_of(const Experiment& experiment) {
     auto inputs = nlohmann::ordered_json::array();
-    for (const auto& [name, sum] : experiment.inputs) {
-        auto& entry = inputs.emplace_back(nlohmann::ordered_json{{"file", name}, {"sha256", nullptr}});
-        if (!sum.empty()) entry["sha256"] = sum;
+    for (const InputFile& input : experiment.inputs) {
+        auto& entry = inputs.emplace_back(nlohmann::ordered_json{{"file", input.name}, {"sha256", nullptr}});
+        if (!input.sha256.empty()) entry["sha256"] = input.sha256;
     }
     return inputs;
 }

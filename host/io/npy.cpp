@@ -82,12 +82,21 @@ std::vector<double> transposed(const std::vector<double>& values, std::size_t ro
 
 }  // namespace
 
+bool holds_objects(std::string_view bytes, std::string_view name) {
+    return parse_npy_header(header_text(bytes, name), name).descr == "|O";
+}
+
+std::string_view npy_content(std::string_view bytes, std::string_view name) {
+    const auto text = header_text(bytes, name);
+    return bytes.substr(static_cast<std::size_t>(text.data() - bytes.data()) + text.size());
+}
+
 NpyArray parse_npy(std::string_view bytes, std::string_view name) {
     const auto text = header_text(bytes, name);
     const auto header = parse_npy_header(text, name);
     const auto type = find_type(header.descr, name);
     const auto count = count_values(header.shape, name);
-    const auto data = bytes.substr(static_cast<std::size_t>(text.data() - bytes.data()) + text.size());
+    const auto data = npy_content(bytes, name);
     if (data.size() != count * type.size) {
         throw Error(fmt::format("'{}' is {}: {} bytes of numbers where its shape ({}) needs {}", name,
                                 data.size() < count * type.size ? "truncated" : "too long", data.size(),

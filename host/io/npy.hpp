@@ -21,6 +21,10 @@ struct NpyArray {
 NpyArray read_npy(const std::filesystem::path&);
 NpyArray parse_npy(std::string_view bytes, std::string_view name);  // the same from memory
 
+// Of such a file: whether it holds Python objects, and what follows the header.
+bool holds_objects(std::string_view bytes, std::string_view name);
+std::string_view npy_content(std::string_view bytes, std::string_view name);
+
 enum class NpyType { float32, float64 };
 
 // Format version 1.0, C order. Throws Error when the shape does not fit the values or the file cannot be written.

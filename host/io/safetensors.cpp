@@ -1,0 +1,103 @@
+// See safetensors.hpp.
+#include "io/safetensors.hpp"
+
+#include "core/error.hpp"
+#include "io/file_bytes.hpp"
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+#include <cstdint>
+
+namespace pelage {
+
+namespace {
+
+using Json = nlohmann::json;
+
+constexpr std::size_t length_size = 8;
+constexpr std::size_t largest_header = 1u << 20;
+
+class TensorReader {
+public:
+    TensorReader(std::string_view bytes, const std::string& name) : name_(name) {
+        if (bytes.size() < length_size) fail("it is truncated");
+        const auto length = load<std::uint64_t>(bytes.data());
+        if (length > largest_header)
+            fail(fmt::format("its header has {} bytes; at most {} are allowed", length, largest_header));
+        if (length > bytes.size() - length_size) fail("it is truncated: its header is not whole");
+        const std::string_view text = bytes.substr(length_size, static_cast<std::size_t>(length));
+        header_ = Json::parse(text.begin(), text.end(), nullptr, false);
+        if (!header_.is_object()) fail("its header is no JSON object");
+        data_ = bytes.substr(length_size + text.size());
+    }
+
+    std::map<std::string, NpyArray> read() const {
+        std::map<std::string, NpyArray> arrays;
+        for (const auto& [key, entry] : header_.items()) {
+            if (key != "__metadata__") arrays.emplace(key, array(key, entry));
+        }
+        return arrays;
+    }
+
+private:
+    NpyArray array(const std::string& key, const Json& entry) const {
+        const bool whole = entry.is_object() && entry.contains("dtype") && entry["dtype"].is_string() &&
+                           entry.contains("shape") && entry.contains("data_offsets");
+        if (!whole) fail(fmt::format("'{}' has not the entries 'dtype', 'shape' and 'data_offsets'", key));
+        const std::string type = entry["dtype"].get<std::string>();
+        if (type != "F32" && type != "F64")
+            fail(fmt::format("'{}' holds numbers of type '{}'; allowed are F32 and F64", key, type));
+        const std::size_t size = type == "F32" ? sizeof(float) : sizeof(double);
+        NpyArray made{numbers(key, entry["shape"]), {}};
+        const std::vector<std::size_t> range = numbers(key, entry["data_offsets"]);
+        if (range.size() != 2 || range[0] > range[1] || range[1] > data_.size())
+            fail(fmt::format("'{}' lies outside of the file", key));
+        const std::string_view bytes = data_.substr(range[0], range[1] - range[0]);
+        std::size_t count = bytes.size() / size;
+        if (!fills(made.shape, count) || bytes.size() % size != 0)
+            fail(fmt::format("'{}' has {} bytes of numbers, which do not fill its shape", key, bytes.size()));
+        made.values.reserve(count);
+        for (const char* at = bytes.data(); count > 0; --count, at += size)
+            made.values.push_back(type == "F32" ? double{load<float>(at)} : load<double>(at));
+        return made;
+    }
+
+    static bool fills(const std::vector<std::size_t>& shape, std::size_t count) {
+        for (const std::size_t length : shape) {
+            if (length == 0) return count == 0;
+            if (count % length != 0) return false;
+            count /= length;
+        }
+        return count == 1;
+    }
+
+    std::vector<std::size_t> numbers(const std::string& key, const Json& list) const {
+        std::vector<std::size_t> values;
+        bool whole = list.is_array();
+        for (std::size_t i = 0; whole && i < list.size(); ++i) {
+            whole = list[i].is_number_unsigned();
+            if (whole) values.push_back(list[i].get<std::size_t>());
+        }
+        if (!whole) fail(fmt::format("'{}' has a shape or a place that is no list of whole numbers", key));
+        return values;
+    }
+
+    [[noreturn]] void fail(const std::string& what) const {
+        throw Error(fmt::format("'{}' cannot be read as a safetensors file: {}", name_, what));
+    }
+
+    const std::string& name_;
+    Json header_;
+    std::string_view data_;
+};
+
+}  // namespace
+
+bool looks_like_safetensors(std::string_view bytes) { return bytes.size() > length_size && bytes[length_size] == '{'; }
+
+std::map<std::string, NpyArray> parse_safetensors(std::string_view bytes, const std::string& name) {
+    return TensorReader(bytes, name).read();
+}
+
+}  // namespace pelage
