@@ -53,7 +53,11 @@ void recall_inputs(Experiment& experiment, const RunOptions& options) {
     for (InputFile& input : experiment.inputs) {
         const auto found =
             std::find_if(earlier.begin(), earlier.end(), [&](const InputFile& one) { return one.name == input.name; });
-        if (found != earlier.end()) input = *found;
+        if (found == earlier.end()) continue;
+        if (input.throughout && !found->sha256.empty() && input.sha256 != found->sha256)
+            throw Error(fmt::format("{}: '{}' is not the file that the run began with: its SHA-256 was {} and is {}",
+                                    experiment.source, input.name, found->sha256, input.sha256));
+        input.sha256 = found->sha256;
     }
 }
 

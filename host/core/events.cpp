@@ -20,6 +20,7 @@ std::optional<Event> event_of(const Rule& rule, std::size_t place) {
                           },
                           [](const React&) -> Made { return {}; },
                           [](const Formula&) -> Made { return {}; },
+                          [](const Neural&) -> Made { return {}; },
                           [](const Change&) -> Made { return {}; },
                           [](const Set&) -> Made { return {}; },
                           [](const Map&) -> Made { return {}; },

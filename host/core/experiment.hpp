@@ -4,6 +4,7 @@
 
 #include "core/expression.hpp"
 #include "core/models.hpp"
+#include "core/neural.hpp"
 #include "core/operand.hpp"
 #include "core/parameter.hpp"
 
@@ -100,6 +101,18 @@ struct Formula {
     std::vector<Part> parts;  // chemicals all different
 };
 
+// A reaction that a network computes, and its diffusion: adds (diffusion * c * laplacian + rate * f(species)) * dt to
+// each species, with c of group_rate(). All read the old state.
+struct Neural {
+    std::vector<std::size_t> species;        // chemicals, as many as the network has; all different
+    std::shared_ptr<const Network> network;  // never null
+    Operand rate = Operand::number(1.0);
+    Operand diffusion = Operand::number(1.0);
+
+    // Whether there is no diffusion, whatever the state.
+    bool still() const { return diffusion == Operand::number(0.0); }
+};
+
 enum class Target { concentration, rate };
 
 struct Change {  // adds amount, or a uniform draw from [amount - deviation, amount + deviation)
@@ -159,7 +172,7 @@ struct Expand {
     std::optional<Interpolation> interpolation = std::nullopt;  // 2020 paper, figure 22
 };
 
-using Action = std::variant<React, Formula, Change, Set, Map, Polarize, Divide, Move, And, Expand>;
+using Action = std::variant<React, Formula, Neural, Change, Set, Map, Polarize, Divide, Move, And, Expand>;
 
 struct Rule {
     std::size_t line = 0;           // in the experiment file; 0 when built by hand
@@ -194,11 +207,19 @@ struct PictureField {
     double beside = 0.0;  // where a centred picture does not reach
 };
 
+// Round spots at places drawn by the run's seed, all alike: the sum of exp(-d^2 / (2 sigma^2)) over them, d being the
+// distance in cells, on a torus the shortest way.
+struct BlobField {
+    std::size_t count = 0;
+    double sigma = 1.0;
+};
+inline constexpr std::size_t largest_blob_count = 100'000;
+
 // A number for each place of a lattice, computed when the run begins and when the lattice has grown; see fields.hpp.
 struct PlaceField {
     std::string name;  // empty: a part of an expression
     std::size_t line = 0;
-    std::variant<ComputedField, PictureField> source;
+    std::variant<ComputedField, PictureField, BlobField> source;
 };
 
 // ---- how the tissue starts: statements carried out in order (see prepattern.hpp)
@@ -319,9 +340,10 @@ struct Output {  // one picture
     bool rgb() const { return expressions.size() == 3; }
 };
 
-struct InputFile {       // a picture, an array or a shape that the experiment starts from
-    std::string name;    // as the experiment says it
-    std::string sha256;  // of its bytes; empty: it was not read, as a resumed run does not need it
+struct InputFile {            // a picture, an array or a shape that the experiment starts from, or a network
+    std::string name;         // as the experiment says it
+    std::string sha256;       // of its bytes; empty: it was not read, as a resumed run does not need it
+    bool throughout = false;  // rules ask it in every iteration, so a resumed run needs the same
 };
 
 struct IncludedLines {      // of Experiment::text, from another file; in order, those of a file before those within it

@@ -1,6 +1,7 @@
 // See fields.hpp.
 #include "core/fields.hpp"
 
+#include "core/blobs.hpp"
 #include "core/error.hpp"
 #include "core/philox.hpp"
 #include "core/scene.hpp"
@@ -90,6 +91,14 @@ Scene scene_of(const Experiment& experiment, const Extent& extent) {
     return scene;
 }
 
+std::vector<double> from_blobs(const BlobField& field, const Experiment& experiment, const Extent& extent,
+                               std::size_t place) {
+    Lattice lattice = std::get<Lattice>(space_of(experiment));
+    lattice.columns = extent.columns;
+    lattice.rows = extent.rows;
+    return blob_values(field, lattice, experiment.run_seed(), place);
+}
+
 double in_run(double value, Precision precision) {
     return precision == Precision::double_ ? value : double{in_precision<float>(value)};
 }
@@ -128,7 +137,8 @@ std::vector<std::vector<double>> field_values(const Experiment& experiment, cons
         scene.place = static_cast<std::uint32_t>(i);
         std::vector<double> values =
             std::visit(Overloaded{[&](const ComputedField& one) { return evaluate(one.expression, scene); },
-                                  [&](const PictureField& one) { return from_picture(one, extent); }},
+                                  [&](const PictureField& one) { return from_picture(one, extent); },
+                                  [&](const BlobField& one) { return from_blobs(one, experiment, extent, i); }},
                        field.source);
         for (double& value : values) value = in_run(value, precision);
         check(experiment, field, extent, values);

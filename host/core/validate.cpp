@@ -123,6 +123,12 @@ private:
     void check_field(const PictureField&, std::size_t) const {
         if (lattice() == nullptr) fail("a field from a picture needs a lattice; these are free cells");
     }
+    void check_field(const BlobField& blobs, std::size_t) const {
+        if (lattice() == nullptr) fail("a field of blobs needs a lattice; these are free cells");
+        if (blobs.count > largest_blob_count)
+            fail(fmt::format("a field has {} blobs; at most {} are allowed", blobs.count, largest_blob_count));
+        if (!(blobs.sigma > 0.0) || !std::isfinite(blobs.sigma)) fail("the sigma of blobs must be above 0");
+    }
 
     const Lattice* lattice() const { return std::get_if<Lattice>(&space_); }
 
@@ -209,6 +215,19 @@ private:
             if (!chemicals.insert(part.chemical).second) fail("a formula changes each chemical at most once");
         }
         if (formula.parts.empty()) fail("a formula changes no chemical");
+    }
+    void check_action(const Rule&, const Neural& neural) const {
+        if (lattice() == nullptr) fail("a neural reaction needs a lattice; these are free cells");
+        if (neural.network == nullptr) fail("a neural reaction has no network");
+        if (neural.species.size() != neural.network->chemicals) {
+            fail(fmt::format("the network takes {}; found {}", counted(neural.network->chemicals, "chemical"),
+                             neural.species.size()));
+        }
+        for (const std::size_t chemical : neural.species) check_chemical(chemical, "a neural reaction");
+        if (std::set(neural.species.begin(), neural.species.end()).size() != neural.species.size())
+            fail("a neural reaction needs different chemicals");
+        check_operand(neural.rate);
+        check_operand(neural.diffusion);
     }
     void check_action(const Rule&, const Change& change) const {
         check_chemical(change.chemical, "a `change`");

@@ -1,4 +1,4 @@
-// define chemical | parameter | field | division_limit | domain | time_step | stencil
+// define chemical | chemicals | parameter | field | division_limit | domain | time_step | stencil
 #include "language/picture.hpp"
 #include "language/statements.hpp"
 
@@ -92,6 +92,29 @@ void parse_chemical(Script& script, Cursor& cursor) {
     chemicals.push_back(std::move(chemical));
 }
 
+// Numbered ones that are alike: NAME0, NAME1 ...
+void parse_chemicals(Script& script, Cursor& cursor) {
+    static constexpr std::size_t options_for_all = 2;  // of chemical_words
+    const Token& name = cursor.value("the chemicals' name");
+    auto& chemicals = script.experiment.chemicals;
+    const Token& number = cursor.peek();
+    const std::uint64_t count = cursor.integer("the number of chemicals", 1, largest_chemical_count);
+    if (count > largest_chemical_count - chemicals.size())
+        cursor.fail(number, fmt::format("{} chemicals too many; at most {} are allowed",
+                                        count - (largest_chemical_count - chemicals.size()), largest_chemical_count));
+    ChemicalOptions options;
+    parse_options(cursor, Words(chemical_words).first(options_for_all), options);
+    check_bounds(cursor, name, options.bounds);
+    for (std::uint64_t i = 0; i < count; ++i) {
+        Chemical chemical;
+        chemical.name = fmt::format("{}{}", name.text, i);
+        check_name(script, cursor, {chemical.name, name.offset, false}, "chemical");
+        chemical.bounds = options.bounds;
+        script.phase().bounds.push_back(chemical.bounds);
+        chemicals.push_back(std::move(chemical));
+    }
+}
+
 void parse_domain(Script& script, Cursor& cursor) {
     Domain& domain = script.experiment.domain;
     domain = Domain{};
@@ -147,8 +170,8 @@ void parse_time_step(Script& script, Cursor& cursor) {
 }  // namespace
 
 void parse_define(Script& script, Cursor& cursor) {
-    static constexpr std::array<std::string_view, 7> words{"chemical", "time_step", "division_limit", "domain",
-                                                           "stencil",  "parameter", "field"};
+    static constexpr std::array<std::string_view, 8> words{"chemical", "time_step", "division_limit", "domain",
+                                                           "stencil",  "parameter", "field",          "chemicals"};
     const Token& word = cursor.peek();
     const std::size_t what = cursor.choose(words);
     const bool in_phases = word.text == "chemical" || word.text == "time_step";
@@ -167,8 +190,10 @@ void parse_define(Script& script, Cursor& cursor) {
             return parse_stencil(script, cursor, word);
         case 5:
             return parse_parameter(script, cursor);
-        default:
+        case 6:
             return parse_place_field(script, cursor);
+        default:
+            return parse_chemicals(script, cursor);
     }
 }
 

@@ -1,4 +1,5 @@
 // define field NAME (EXPRESSION) | define field NAME "PICTURE" [channel NAME] [from LOW to HIGH] [fit WORD]
+// define field NAME blobs INT sigma FLOAT
 #include "language/expression.hpp"
 #include "language/picture.hpp"
 #include "language/statements.hpp"
@@ -34,6 +35,17 @@ PictureField parse_picture(Script& script, Cursor& cursor) {
     return field;
 }
 
+BlobField parse_blobs(Script& script, Cursor& cursor) {
+    constexpr Range of_sigma{0.0, 10'000.0, true};
+    const Token& word = cursor.next();
+    BlobField blobs;
+    blobs.count = cursor.integer("the number of blobs", 0, largest_blob_count);
+    cursor.expect("sigma");
+    blobs.sigma = cursor.number("sigma, in cells", of_sigma);
+    script.needs_lattice(cursor, word);
+    return blobs;
+}
+
 }  // namespace
 
 void parse_place_field(Script& script, Cursor& cursor) {
@@ -45,6 +57,8 @@ void parse_place_field(Script& script, Cursor& cursor) {
     PlaceField field{std::string(name.text), cursor.line(), ComputedField{}};
     if (cursor.peek().quoted) {
         field.source = parse_picture(script, cursor);
+    } else if (cursor.peek().text == "blobs") {
+        field.source = parse_blobs(script, cursor);
     } else {
         field.source = ComputedField{parse_expression(script, cursor, Scope::field, "the field")};
     }

@@ -101,6 +101,11 @@ private:
             read(part.rate);
         }
     }
+    void look(const Neural& neural) {
+        chemicals.insert(neural.species.begin(), neural.species.end());
+        read(neural.rate);
+        read(neural.diffusion);
+    }
     void look(const Change& change) {
         chemicals.insert(change.chemical);
         read(change.amount);

@@ -1,5 +1,5 @@
 // A rule's reaction: react NAME ... [scale PAR] MODEL PARAMETERS, as the table of reactions has them; or written out,
-// react NAME by PAR [NAME by PAR ...].
+// react NAME by PAR [NAME by PAR ...]. What a network computes is in neural.cpp.
 #include "language/statements.hpp"
 
 #include <fmt/format.h>
@@ -23,6 +23,7 @@ std::vector<std::string_view> model_words() {
     std::vector<std::string_view> words = model_words();
     words.emplace_back("scale");
     words.emplace_back("by");
+    words.emplace_back("neural");
     const Token& token = cursor.peek();
     for (const std::string_view name : script.chemical_names()) words.push_back(name);
     if (cursor.done()) cursor.unknown(token, words);
@@ -97,6 +98,7 @@ Action parse_formula(Script& script, Cursor& cursor) {
 }  // namespace
 
 Action parse_react(Script& script, Cursor& cursor) {
+    if (is_neural(cursor)) return parse_neural(script, cursor);
     Cursor ahead = cursor;
     ahead.next();
     if (!ahead.done() && ahead.take("by")) return parse_formula(script, cursor);

@@ -159,8 +159,8 @@ std::vector<Case> rate_cases() {
 const std::vector<Case>& lattice_cases() {
     static const std::vector<Case> table = [] {
         std::vector<Case> cases;
-        for (const auto& part :
-             {diffusion_cases(), reaction_cases(), rate_cases(), rule_cases(), growth_cases(), extreme_cases()}) {
+        for (const auto& part : {diffusion_cases(), reaction_cases(), rate_cases(), rule_cases(), growth_cases(),
+                                 neural_cases(), extreme_cases()}) {
             cases.insert(cases.end(), part.begin(), part.end());
         }
         return cases;

@@ -28,7 +28,7 @@ struct Case {
 };
 
 // The table, in order of name parts: "diffusion/...", "saturation/...", "reaction/...", "rates/...", "rules/...",
-// "growth/...", "values/...", "sizes/...".
+// "growth/...", "neural/...", "values/...", "sizes/...".
 const std::vector<Case>& lattice_cases();
 
 // The case of that name. Throws std::out_of_range.
@@ -40,6 +40,7 @@ std::vector<Case> reaction_cases();
 std::vector<Case> rate_cases();
 std::vector<Case> rule_cases();
 std::vector<Case> growth_cases();
+std::vector<Case> neural_cases();
 std::vector<Case> extreme_cases();  // saturation, special values, sizes
 
 // 1x1, lines, tiny rectangles, around a vector's and a work-group's width, primes.

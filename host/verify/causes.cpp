@@ -56,6 +56,7 @@ const std::vector<Dependence>& dependences() {
                                              {"uneven rates", {"diffusion"}},
                                              {"polarity", {"uneven rates", "random numbers"}},
                                              {"reactions", {"diffusion"}},
+                                             {"networks", {"functions", "diffusion"}},
                                              {"saturation", {"diffusion"}},
                                              {"special values", {"subnormal numbers", "diffusion"}},
                                              {"rules", {"functions", "random numbers", "reactions"}},

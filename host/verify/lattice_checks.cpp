@@ -24,7 +24,7 @@ constexpr std::uint64_t quick_iterations = 50;
 constexpr std::size_t many_sizes = 10;
 
 // The cases that the quick form runs: each kernel path once, in the fewest programs.
-constexpr std::array<std::string_view, 23> quick_cases{"rules/whole-numbers/fused",
+constexpr std::array<std::string_view, 24> quick_cases{"rules/whole-numbers/fused",
                                                        "diffusion/nine-point/no-flux",
                                                        "diffusion/nine-point/wrap",
                                                        "diffusion/nine-point/absorbing",
@@ -45,6 +45,7 @@ constexpr std::array<std::string_view, 23> quick_cases{"rules/whole-numbers/fuse
                                                        "rules/chains/published",
                                                        "growth/plain/absorbing",
                                                        "growth/by/wrap",
+                                                       "neural/no-flux",
                                                        "values/denormal/published",
                                                        "sizes/many-rows"};
 // Of these also with a second work-group size, and on the other paths.
@@ -67,6 +68,7 @@ std::string kernel_of(const std::string& name) {
     if (begins("rates/uneven")) return "uneven rates";
     if (begins("rates/polarized")) return "polarity";
     if (begins("growth/")) return "expansion";
+    if (begins("neural/")) return "networks";
     if (begins("values/")) return "special values";
     if (begins("sizes/")) return "diffusion";
     return name.substr(0, name.find('/'));

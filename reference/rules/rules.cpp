@@ -3,6 +3,7 @@
 
 #include "core/philox.hpp"
 #include "core/subnormal.hpp"
+#include "reference/rules/neural.hpp"
 #include "reference/rules/operands.hpp"
 #include "reference/rules/reactions.hpp"
 
@@ -81,6 +82,26 @@ struct Act {  // carries out an action where truth holds
             } else {
                 each([&](std::size_t cell) { values[cell] = std::fma(dt, rate[cell], values[cell]); });
             }
+        }
+    }
+
+    void operator()(const Neural& neural) {
+        const std::size_t count = neural.species.size();
+        const Column<T> rate = sight.column(neural.rate);
+        const Column<T> diffusion = sight.column(neural.diffusion);
+        std::vector<const T*> old;
+        for (const std::size_t chemical : neural.species) old.push_back(sight.old.conc[chemical].data());
+        const std::vector<std::vector<T>> f = ask(*neural.network, old, next.cells());
+        for (std::size_t i = 0; i < count; ++i) {
+            std::vector<T>& values = next.conc[neural.species[i]];
+            if (!neural.still()) {
+                const T share = static_cast<T>(group_rate(i, count));
+                const std::vector<T> lap = sight.ground.laplacian(sight.old.conc[neural.species[i]]);
+                each([&](std::size_t cell) {
+                    values[cell] = std::fma((diffusion[cell] * dt) * share, lap[cell], values[cell]);
+                });
+            }
+            each([&](std::size_t cell) { values[cell] = std::fma(rate[cell] * dt, f[i][cell], values[cell]); });
         }
     }
 

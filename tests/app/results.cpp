@@ -294,6 +294,40 @@ TEST_CASE("a resumed run needs no start picture, and remembers which one it was"
     }
 }
 
+TEST_CASE("a run with a network is resumed with that network alone") {
+    const Folder folder;
+    const std::string network = read_all(PELAGE_SOURCE "/experiments/neural/tiny.npz");
+    folder.write("net.npz", network);
+    const std::string file =
+        folder.write("net.pex",
+                     "define chemicals x 8 floor none\nuse chemical x0 conc 0 dev 0.25\n"
+                     "create matrix 9 7 wrap\nrule always react all neural \"net.npz\"\nstop at 20\n");
+    const std::vector<std::string> words{"--format", "npy", "--checkpoint-every", "8"};
+    REQUIRE(run_reference(file, folder / "out", words).exit_code == 0);
+    const nlohmann::json inputs{{{"file", "net.npz"}, {"sha256", pelage::sha256(network)}}};
+    CHECK(manifest_in(folder / "out").at("inputs") == inputs);
+    const std::string whole = read_all(folder / "out" / "final.x0.npy");
+    const std::vector<std::string> resume{"--format", "npy", "--resume", folder / "out" / "checkpoint.pelage"};
+
+    const Outcome again = run_reference(file, folder / "a", resume);
+    folder.write("net.npz", read_all(PELAGE_SOURCE "/tests/io/networks/stored.npz"));
+    const Outcome small = run_reference(file, folder / "b", resume);
+    folder.write("net.npz", network + "a byte more");
+    const Outcome changed = run_reference(file, folder / "c", resume);
+    std::filesystem::remove(folder / "net.npz");
+    const Outcome gone = run_reference(file, folder / "d", resume);
+
+    INFO(again.err);
+    REQUIRE(again.exit_code == 0);
+    CHECK(read_all(folder / "a" / "final.x0.npy") == whole);
+    CHECK(manifest_in(folder / "a").at("inputs") == inputs);
+    CHECK(small.exit_code == 2);
+    CHECK(changed.exit_code == 2);
+    CHECK_THAT(changed.err, Contains("'net.npz' is not the file that the run began with"));
+    CHECK(gone.exit_code == 2);
+    CHECK_THAT(gone.err, Contains("net.npz"));
+}
+
 TEST_CASE("a byte that is not UTF-8 leaves manifest and EXR header readable") {
     const Folder folder;
     const std::string file = folder.write("latin.pex", test::spots + "// caf\xe9\n");

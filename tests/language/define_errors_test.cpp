@@ -9,10 +9,10 @@ TEST_CASE("malformed definitions and prepatterns say where and what is allowed")
     const ErrorCase cases[] = {
         {grid, "define",
          "t.pex:4:7: the line ends too early; allowed here: chemical, time_step, division_limit, domain, stencil, "
-         "parameter, field"},
+         "parameter, field, chemicals"},
         {grid, "define chemcial W",
          "t.pex:4:8: unknown word 'chemcial'; allowed here: chemical, time_step, division_limit, domain, stencil, "
-         "parameter, field; "
+         "parameter, field, chemicals; "
          "did you mean 'chemical'?"},
         {grid, "define chemical",
          "t.pex:4:16: the line ends too early; the chemical's name must be a word without quotes"},

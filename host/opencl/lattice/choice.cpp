@@ -28,6 +28,7 @@ bool caches_hold(const DeviceInfo& device, double bytes) {
 
 // What sets the pace of these rules if it is not memory; empty: memory does.
 std::string pace_setter(const RuleNeeds& needs) {
+    if (needs.networks) return "networks";
     if (needs.draws) return "random draws";
     if (needs.polarizes) return "polarities that follow gradients";
     return needs.uneven_rates ? "diffusion rates that differ between cells" : "";
@@ -49,6 +50,7 @@ std::string why_not_streamed(const DeviceInfo& device, const RuleNeeds& needs, c
 }
 
 Answer best(const DeviceInfo& device, const RuleNeeds& needs, const Work& work) {
+    if (needs.networks && !device.processor()) return {Path::step, "networks, not memory, set its pace"};
     const bool graphics = device.type == "gpu" && !device.software_rasteriser();
     if (graphics && device.own_local_memory) return {Path::tiled, "the device has local memory of its own"};
     if (!device.processor()) return {Path::step, "the device has no local memory of its own"};
@@ -105,6 +107,7 @@ std::string too_small(const DeviceInfo& device, const RuleNeeds& needs, const Cu
 
 RuleNeeds rule_needs(const Experiment& experiment, const LatticePlan& plan, const RuleUse& use) {
     RuleNeeds needs;
+    needs.networks = use.neural;
     needs.draws = use.random;
     needs.polarizes = !use.polarizes.empty();
     needs.uneven_rates = std::ranges::find(plan.rates, RateKind::per_cell) != plan.rates.end();

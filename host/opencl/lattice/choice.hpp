@@ -20,6 +20,7 @@ namespace pelage {
 
 // What one set of active rules asks of a lattice's kernels.
 struct RuleNeeds {
+    bool networks = false;      // neural reactions
     bool draws = false;         // random numbers
     bool polarizes = false;     // polarities follow gradients
     bool uneven_rates = false;  // diffusion rates differ between cells

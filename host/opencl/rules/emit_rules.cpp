@@ -1,11 +1,13 @@
 // See emit_rules.hpp.
 #include "opencl/rules/emit_rules.hpp"
 
+#include "core/functions.hpp"
 #include "core/philox.hpp"
 #include "core/subnormal.hpp"
 #include "opencl/rules/emit_operand.hpp"
 #include "opencl/rules/emit_whole.hpp"
 #include "opencl/rules/functions.hpp"
+#include "opencl/rules/network.hpp"
 
 #include <fmt/format.h>
 
@@ -173,6 +175,37 @@ private:
         });
     }
 
+    void act(const Neural& neural) {
+        out_.use.neural = true;
+        out_.use.functions.insert(function_named("sigmoid").value());
+        out_.use.concentrations_written.insert(neural.species.begin(), neural.species.end());
+        const std::string rate = operands_.text(neural.rate);
+        const std::string diffusion = operands_.text(neural.diffusion);
+        const std::string table = numbers_.table(network_table(*neural.network));
+        const std::size_t count = neural.species.size();
+        line(always_ ? "{" : fmt::format("if (ANY({})) {{", truth()));
+        out_.rules += operands_.take_declarations();
+        std::string old;
+        for (const std::size_t chemical : neural.species)
+            old += fmt::format("{}c{}", old.empty() ? "" : ", ", chemical);
+        line(fmt::format("const real x[{}] = {{{}}};\nreal f[{}];", count, old, count));
+        line(fmt::format("pelage_network({}, {}, {}, x, f);", count, neural.network->hidden, table));
+        line(fmt::format("const real speed = {} * dt;", rate));
+        if (!neural.still()) line(fmt::format("const real spread = {} * dt;", diffusion));
+        for (std::size_t i = 0; i < count; ++i) add_network(neural, i);
+        line("}");
+    }
+    void add_network(const Neural& neural, std::size_t place) {
+        const std::size_t chemical = neural.species[place];
+        const std::string target = fmt::format("n{}", chemical);
+        if (!neural.still()) {
+            const std::string share = emit_number(group_rate(place, neural.species.size()), precision_);
+            const std::string laplacian = operands_.text({Quantity::laplacian, 0.0, chemical});
+            assign(target, fmt::format("fma(spread * {}, {}, {})", share, laplacian, target));
+        }
+        assign(target, fmt::format("fma(speed, f[{}], {})", place, target));
+    }
+
     void act(const Change& change) {
         const bool rate = change.target == Target::rate;
         (rate ? out_.use.rates_written : out_.use.concentrations_written).insert(change.chemical);
@@ -300,6 +333,7 @@ std::vector<KernelNumber> rule_parameters(const Experiment& experiment, Precisio
 std::vector<std::string> rule_files(const RuleUse& use) {
     std::vector<std::string> files = function_files(use.functions);
     files.emplace_back("rules/reaction.cl");
+    if (use.neural) files.emplace_back("rules/neural.cl");
     for (const std::size_t model : use.reacts) files.push_back("models/" + kernel_name(Model{model}) + ".cl");
     return files;
 }

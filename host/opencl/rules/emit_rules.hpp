@@ -21,7 +21,7 @@
 // and leaves divisions and moves to macros of the kernel:
 //   DIVIDE(nth, rule, where, degrees)     the nth `divide` rule of the experiment; degrees relative to the polarity
 //   MOVE(where, distance)                 along the old polarity
-// There is no control flow but `if (ANY(mask))` around draws and expressions, so that `real` may be a vector.
+// There is no control flow but `if (ANY(mask))` around draws, expressions and networks, so that `real` may be a vector.
 #pragma once
 
 #include "core/experiment.hpp"
@@ -49,6 +49,7 @@ struct RuleUse {                                // what the emitted rules need o
     std::set<std::size_t> fields;      // of a lattice
     std::set<std::size_t> functions;   // places in function_table(): kernels/functions/NAME.cl must come before
     std::set<Quantity> quantities;     // those read that are neither numbers nor indexed
+    bool neural = false;               // kernels/rules/neural.cl must come before
     bool random = false;
     bool polarity = false;  // some rule moves or divides
     bool divides = false;

@@ -12,6 +12,13 @@ namespace pelage {
 std::string Numbers::real(double value) { return named('k', value); }
 std::string Numbers::word(std::uint32_t value) { return named('u', value); }
 
+std::string Numbers::table(const std::vector<double>& values) {
+    const std::size_t place = values_.size();
+    values_.insert(values_.end(), values.begin(), values.end());
+    if (declare_) names_.push_back({'w', place});
+    return fmt::format("w{}", place);
+}
+
 std::string Numbers::named(char kind, KernelNumber value) {
     const std::size_t place = values_.size();
     values_.push_back(value);
@@ -22,9 +29,10 @@ std::string Numbers::named(char kind, KernelNumber value) {
 std::string Numbers::declarations(std::size_t first) const {
     std::string text;
     for (const Name& name : names_) {
-        text += name.kind == 'k'
-                    ? fmt::format("const real k{} = R(parameters[{}]);\n", name.place, first + name.place)
-                    : fmt::format("const uint u{} = PARAMETER_WORD({});\n", name.place, first + name.place);
+        const char* const form = name.kind == 'k'   ? "const real k{} = R(parameters[{}]);\n"
+                                 : name.kind == 'u' ? "const uint u{} = PARAMETER_WORD({});\n"
+                                                    : "global const scalar* const w{} = parameters + {};\n";
+        text += fmt::format(fmt::runtime(form), name.place, first + name.place);
     }
     return text;
 }

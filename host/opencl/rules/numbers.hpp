@@ -20,6 +20,8 @@ public:
     // Names for the program's text, declared by declarations() unless `declare` is false when they are asked for.
     std::string real(double);         // of type real: "k3"
     std::string word(std::uint32_t);  // of type uint: "u4"
+    // Of type `global const scalar*`: "w5", the first of these.
+    std::string table(const std::vector<double>&);
     void declare(bool wanted) { declare_ = wanted; }
 
     // `first`: place of the first of them in the buffer.
@@ -30,7 +32,7 @@ public:
 
 private:
     struct Name {
-        char kind;  // 'k' or 'u'
+        char kind;  // 'k', 'u' or 'w'
         std::size_t place;
     };
     std::string named(char kind, KernelNumber);

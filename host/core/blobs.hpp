@@ -1,0 +1,15 @@
+// Round spots at random places of a lattice.
+#pragma once
+
+#include "core/experiment.hpp"
+#include "core/space.hpp"
+
+#include <cstdint>
+#include <vector>
+
+namespace pelage {
+
+// For each cell. `place`: that of the field, so that each field has spots of its own.
+std::vector<double> blob_values(const BlobField&, const Lattice&, std::int64_t seed, std::size_t place);
+
+}  // namespace pelage
