@@ -35,6 +35,7 @@
 #include <atomic>
 #include <charconv>
 #include <chrono>
+#include <cmath>
 #include <cstdio>
 #include <exception>
 #include <map>
@@ -78,6 +79,21 @@ Design design_of(const SweepOptions& options) {
     return design;
 }
 
+// Samples of parameters that some statement takes for whole numbers become whole.
+Design whole_where_needed(Design design, const SweepOptions& options) {
+    if (options.samples == 0) return design;
+    const Experiment plain =
+        read_experiment(options.run.file, nullptr, StartPictures::left_out, settings_of(options.run.settings));
+    for (sweep::Point& point : design.points) {
+        for (Setting& one : point.settings) {
+            const auto parameter = std::ranges::find(plain.parameters, one.name, &Parameter::name);
+            if (parameter != plain.parameters.end() && parameter->whole)
+                one.value = fmt::format("{:.0f}", std::round(std::stod(one.value)));
+        }
+    }
+    return design;
+}
+
 std::optional<double> tolerance_of(const SweepOptions& options) {
     if (options.until.empty()) return std::nullopt;
     double value = 0.0;
@@ -114,7 +130,7 @@ class Sweep {
 public:
     explicit Sweep(const SweepOptions& options)
         : options_(options),
-          design_(design_of(options)),
+          design_(whole_where_needed(design_of(options), options)),
           steady_(tolerance_of(options)),
           folder_(options.run.folder()),
           first_(experiment_of(0)),
@@ -134,10 +150,8 @@ public:
         announce(machine);
         const Interrupt interrupt;
         const Clock::time_point start = Clock::now();
-        const std::size_t there = table_.size();
-        const bool whole = run_tiles(machine, start);
-        if (!whole) return stopped();
-        return finish(table_.size() - there, seconds_since(start));
+        if (!run_tiles(machine, start)) return stopped();
+        return finish(run_, seconds_since(start));
     }
 
 private:
@@ -165,7 +179,7 @@ private:
     // False: interrupted. What goes wrong in one tile ends all.
     bool run_tiles(const Machine& machine, Clock::time_point start) {
         const Bar bar(options_.run.quiet);
-        const std::size_t there = table_.size(), all = design_.points.size(), side_by_side = jobs(machine);
+        const std::size_t all = design_.points.size(), side_by_side = jobs(machine);
         std::atomic<std::size_t> next = 0;
         std::atomic<bool> ending = false;
         std::exception_ptr failure;
@@ -180,8 +194,7 @@ private:
                     ending = true;
                 }
                 const std::lock_guard lock(guard_);
-                const std::size_t run = std::max<std::size_t>(1, table_.size() - there);
-                bar.show(table_.size(), all, seconds_since(start) / static_cast<double>(run));
+                bar.show(table_.size(), all, seconds_since(start) / std::max(1.0, static_cast<double>(run_)));
             }
         };
         if (side_by_side == 1) {
@@ -198,7 +211,7 @@ private:
 
     bool taken_up(std::size_t tile) {
         const std::lock_guard lock(guard_);
-        return table_.has(tile);
+        return table_.has(tile) && (table_.verdict(tile) == name_of(stats::Verdict::unstable) || has_files(tile));
     }
 
     Experiment experiment_of(std::size_t tile) const {
@@ -302,8 +315,23 @@ private:
         }
         const double seconds = seconds_since(start);
         const std::lock_guard lock(guard_);
+        ++run_;
         table_.add(tile, design_.points[tile], experiment.run_seed(), *result, seconds);
         return true;
+    }
+
+    // Those that the sheet and --format want; of arrays nothing is known here.
+    bool has_files(std::size_t tile) const {
+        if (!fs::exists(values_of(tile))) return false;
+        if (options_.run.formats.empty()) return true;
+        const auto there = [&](Format format) {
+            const char* ending = format == Format::png   ? "png"
+                                 : format == Format::exr ? "exr"
+                                 : format == Format::csv ? "csv"
+                                                         : "vti";
+            return format == Format::npy || fs::exists(folder_ / "tiles" / fmt::format("{}.{}", tile, ending));
+        };
+        return std::ranges::all_of(options_.run.format_list(), there);
     }
 
     fs::path values_of(std::size_t tile) const { return folder_ / "tiles" / fmt::format(".{}.npy", tile); }
@@ -365,7 +393,8 @@ private:
     fs::path folder_;
     Experiment first_;
     sweep::Table table_;
-    std::mutex guard_;  // of the table
+    std::mutex guard_;     // of the table and the count
+    std::size_t run_ = 0;  // tiles, this time
     std::uint64_t last_ = 0;
 };
 

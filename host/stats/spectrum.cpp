@@ -75,8 +75,8 @@ Waves waves_of(const Grid& grid) {
     check(grid);
     Waves waves;
     const double longer = static_cast<double>(std::max(grid.columns, grid.rows));
-    waves.radial.assign(static_cast<std::size_t>(longer) / 2 + 1, 0.0);
-    if (waves.radial.size() < 2) return waves;
+    // The shortest wave is a checkerboard's, of the root of 2.
+    waves.radial.assign(static_cast<std::size_t>(longer * std::numbers::sqrt2 / 2.0) + 2, 0.0);
     std::vector<Complex> field = centred(grid);
     const auto [low, high] = std::minmax_element(grid.values.begin(), grid.values.end());
     if (*high - *low <= 1e-12 * std::max(std::fabs(*low), std::fabs(*high))) return waves;
@@ -107,7 +107,7 @@ Waves waves_of(const Grid& grid) {
     });
     waves.anisotropy = total > 0.0 ? std::abs(turned) / total : 0.0;
     const double angle = std::arg(turned) * 90.0 / std::numbers::pi;
-    waves.direction = angle < 0.0 ? angle + 180.0 : angle;
+    waves.direction = std::fabs(angle) < 1e-6 ? 0.0 : angle < 0.0 ? angle + 180.0 : angle;
     return waves;
 }
 

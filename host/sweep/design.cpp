@@ -174,12 +174,14 @@ std::vector<Point> read_points(const std::filesystem::path& path) {
     std::vector<Point> points;
     std::size_t number_of_line = 0;
     for (std::string line; std::getline(file, line);) {
-        ++number_of_line;
+        if (++number_of_line == 1 && line.starts_with("\xef\xbb\xbf")) line.erase(0, 3);  // byte order mark of UTF-8
         const std::vector<std::string> parts = parts_of(line, ',');
         if (parts.size() == 1 && parts.front().empty()) continue;
         const std::string where = fmt::format("{}:{}", path.string(), number_of_line);
         if (names.empty()) {
             names = parts;
+            if (std::set<std::string>(names.begin(), names.end()).size() != names.size())
+                throw Error(fmt::format("{}: a name stands there twice", where));
             continue;
         }
         if (parts.size() != names.size())

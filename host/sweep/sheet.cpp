@@ -24,7 +24,7 @@ ValueRange common_range(const std::vector<TilePicture>& tiles, const Output& out
     if (output.range) return {(*output.range)[0], (*output.range)[1]};
     ValueRange range;
     for (const TilePicture& tile : tiles) range.widen(range_of(tile.values));
-    return range;
+    return range.empty() ? ValueRange{0.0, 1.0} : range;  // no tile has a number
 }
 
 void paste(const Picture& tile, std::size_t left, std::size_t top, std::size_t rows, Picture& picture) {

@@ -91,7 +91,8 @@ private:
         result.iterations = tissue_.iteration();
         result.settled = settled_;
         result.statistics = stats::statistics_of(grid(shown(experiment_, state_)));
-        const bool flat = stats::uniform(*result.statistics);
+        const bool flat = stats::uniform(*result.statistics) ||
+                          result.statistics->maximum - result.statistics->minimum <= 1e-6 * largest_;
         if (course_.states() > 1)
             result.verdict = course_.verdict(largest_);
         else

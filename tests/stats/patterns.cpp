@@ -58,6 +58,16 @@ TEST_CASE("stripes: their wavelength, their direction, and that they are stripes
     CHECK(orientation_order(stripes(12, 40).grid(false)) > 0.97);
 }
 
+TEST_CASE("the shortest waves, and waves along rows and columns exactly") {
+    const Pattern board(64, 64, [](double x, double y) { return std::fmod(x + y, 2.0); });
+    CHECK(waves_of(board.grid()).wavelength == Approx(std::sqrt(2.0)));
+    CHECK(waves_of(board.grid(false)).wavelength == Approx(std::sqrt(2.0)).epsilon(0.02));
+    for (const bool wrap : {false, true}) {
+        CHECK(waves_of(stripes(16, 0, 128, 128).grid(wrap)).direction == Approx(0).margin(0.01));
+        CHECK(waves_of(stripes(16, 90, 128, 128).grid(wrap)).direction == Approx(90).margin(0.01));
+    }
+}
+
 TEST_CASE("discs: how many, how large, how far apart") {
     const Pattern discs(120, 90, [](double x, double y) {
         const double dx = std::fmod(x, 15.0) - 7, dy = std::fmod(y, 15.0) - 7;

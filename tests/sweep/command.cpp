@@ -117,6 +117,10 @@ TEST_CASE(
     CHECK(without_times(bench.csv()) == without_times(bench.csv("whole")));
     CHECK_THAT(bench.sweep(words).err, Contains("10 tiles are there already"));
 
+    std::filesystem::remove(bench.folder / "out/tiles/.4.npy");
+    CHECK_THAT(bench.sweep(words).out, Contains("1 tile in"));
+    CHECK(without_times(bench.csv()) == without_times(bench.csv("whole")));
+
     const Outcome other = bench.sweep({"--vary", "K=0.05:0.07:6", "--vary", "F=0.02,0.04"});
     CHECK(other.exit_code == 2);
     CHECK_THAT(other.err, Contains("holds another sweep"));
@@ -142,6 +146,8 @@ TEST_CASE("what tiles end in: uniform, a pattern, NaN, an unstable step; settled
         return all;
     };
     CHECK(verdicts("g=0,10", "a") == std::vector<std::string>{"uniform", "NaN"});
+    CHECK(verdicts("g=10,20", "none") == std::vector<std::string>{"NaN", "NaN"});
+    CHECK(std::filesystem::exists(folder / "none/sheet.png"));
     CHECK(verdicts("d=0,1", "b") == std::vector<std::string>{"stationary", "unstable"});
 
     const Outcome early = command({"sweep", file, "--backend", "reference", "--vary", "d=0,0.3", "--until", "steady",

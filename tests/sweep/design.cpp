@@ -101,6 +101,13 @@ TEST_CASE("a table of points, and tables that are none") {
     REQUIRE(points.size() == 2);
     CHECK(points[1].settings[1].name == "K");
     CHECK(points[1].settings[1].value == "0.061");
+    CHECK(read_points(folder.write("mark.csv",
+                                   "\xef\xbb\xbf"
+                                   "F\n1\n"))
+              .at(0)
+              .settings.at(0)
+              .name == "F");
+    CHECK_THAT(problem("F,F\n1,2\n"), Contains("points.csv:1: a name stands there twice"));
     CHECK_THAT(problem("F,K\n1,2\n1\n"), Contains("points.csv:3: 1 fields; the first line names 2"));
     CHECK_THAT(problem("F,K\n1,x\n"), Contains("points.csv:2: 'x' is not a number"));
     CHECK_THAT(problem("F,K\n"), Contains("holds no point"));
