@@ -13,8 +13,8 @@ namespace pelage::verify {
 
 namespace {
 
-constexpr std::size_t cells = 64;
-constexpr std::size_t enough_cells = cells / 8;  // in which a parameter matters
+constexpr std::size_t trial_cells = 64;
+constexpr std::size_t enough_cells = trial_cells / 8;  // in which a parameter matters
 constexpr std::size_t turns = 200;
 
 double part(double turn) { return turn - std::floor(turn); }
@@ -30,12 +30,12 @@ std::vector<double> numbers(const ModelFacts& model, std::size_t turn) {
 }
 
 // Cells in which the species have values from 0.5 to 4.5.
-class Trial {
+class ModelTrial {
 public:
-    explicit Trial(const ModelFacts& model) : model_(model) {
+    explicit ModelTrial(const ModelFacts& model) : model_(model) {
         for (std::size_t i = 0; i < model.species.size(); ++i) {
-            std::vector<double> plane(cells);
-            for (std::size_t cell = 0; cell < cells; ++cell)
+            std::vector<double> plane(trial_cells);
+            for (std::size_t cell = 0; cell < trial_cells; ++cell)
                 plane[cell] = 0.5 + 4 * part(static_cast<double>(cell) * std::sqrt(2.0 + static_cast<double>(3 * i)));
             conc_.push_back(plane);
         }
@@ -48,7 +48,7 @@ public:
             others[i] += 0.01;
             const auto found = after(others);
             std::size_t differing = 0;
-            for (std::size_t cell = 0; cell < cells; ++cell) {
+            for (std::size_t cell = 0; cell < trial_cells; ++cell) {
                 for (std::size_t k = 0; k < found.size(); ++k) {
                     if (found[k][cell] == expected[k][cell]) continue;
                     ++differing;
@@ -62,7 +62,7 @@ public:
 
 private:
     std::vector<std::vector<double>> after(const std::vector<double>& parameters) const {
-        Lab lab = Lab::matrix(cells, 1, Boundary::absorbing);
+        Lab lab = Lab::matrix(trial_cells, 1, Boundary::absorbing);
         std::vector<std::size_t> species;
         for (const ModelSpecies& one : model_.species)
             species.push_back(lab.chemical(one.name, {1, 0}, {0, 0}, unbounded));
@@ -85,7 +85,7 @@ std::vector<double> sensible(const ModelFacts& model, std::size_t turn) {
     static std::map<std::pair<std::string, std::size_t>, std::vector<double>> known;
     auto& found = known[{model.word, turn}];
     if (!found.empty()) return found;
-    const Trial trial(model);
+    const ModelTrial trial(model);
     for (std::size_t other = turn; other < turn + turns; ++other) {
         found = numbers(model, other);
         if (trial.each_matters(found)) return found;

@@ -22,7 +22,7 @@ std::vector<std::uint32_t> tidied_on_device(const Session& session, const std::v
         };
         const auto bins = static_cast<std::uint32_t>(starts.size() - 1);
         const cl::Buffer of_starts = upload(starts), of_bins = upload({bins}), of_order = upload(order);
-        Arguments(session, tidy).add(of_starts, of_bins, of_order);
+        pelage::Arguments(session, tidy).add(of_starts, of_bins, of_order);
         launch(session, tidy, bins, 3);
         std::vector<std::uint32_t> tidied(order.size());
         session.queue().enqueueReadBuffer(of_order, CL_TRUE, 0, tidied.size() * sizeof tidied[0], tidied.data());
