@@ -66,7 +66,7 @@ private:
         std::vector<std::size_t> species;
         for (const ModelSpecies& one : model_.species)
             species.push_back(lab.chemical(one.name, {1, 0}, {0, 0}, unbounded));
-        lab.rule(react(model_named(model_.word), species, parameters));
+        lab.rule(verify::react(model_named(model_.word), species, parameters));
         const Experiment experiment = lab.time_step(0.01).done();
         Snapshot state = initial_state(experiment, Precision::double_);
         state.conc = conc_;

@@ -15,7 +15,7 @@ namespace {
 
 using namespace pelage;
 
-constexpr double unbounded = std::numeric_limits<double>::infinity();
+constexpr double no_bound = std::numeric_limits<double>::infinity();
 
 // [1 2 1; 2 -12 2; 1 2 1] / 16
 constexpr StencilWeights published_weights{0.0625, 0.125, 0.0625, 0.125, -0.75, 0.125, 0.0625, 0.125, 0.0625};
@@ -25,7 +25,7 @@ Experiment texture(const std::string& model, std::size_t columns, std::size_t ro
     neural.network = std::make_shared<const Network>(read_network(test::shared("golden/neural/" + model)).network);
     std::vector<test::Substance> substances;
     for (std::size_t i = 0; i < neural.network->chemicals; ++i) {
-        substances.push_back({"x" + std::to_string(i), 0.0, {-unbounded, unbounded}});
+        substances.push_back({"x" + std::to_string(i), 0.0, {-no_bound, no_bound}});
         neural.species.push_back(i);
     }
     Experiment experiment = test::matrix(columns, rows, Boundary::wrap, Stencil::own, 1.0, substances);
