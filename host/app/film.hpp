@@ -45,7 +45,6 @@ public:
 
 private:
     void draw_all();  // the other thread
-    void draw(const Shot&);
     std::optional<Shot> next_shot();
     void fail(const std::string& reason);
     void close();

@@ -30,8 +30,8 @@ struct Tally {
     SearchStatistics search;         // samples of an approximate neighbour search; none of an exact one
     std::vector<std::string> notes;  // how iterations were carried out
     std::optional<ProgramCounts> programs;
-    std::uint64_t frames = 0;        // of the film
-    double film_seconds = 0;         // that the run waited for it
+    std::uint64_t frames = 0;  // of the film
+    double film_seconds = 0;   // that the run waited for it
     double updates_per_second() const { return seconds > 0 ? updates / seconds : 0; }
 };
 

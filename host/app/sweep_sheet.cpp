@@ -3,6 +3,7 @@
 
 #include "app/draw_report.hpp"
 #include "io/atomic_file.hpp"
+#include "io/drawn.hpp"
 #include "io/locked.hpp"
 
 #include <fmt/format.h>
@@ -63,8 +64,7 @@ std::string draw_sheet(const std::filesystem::path& folder, const Experiment& ex
                        const std::vector<sweep::TilePicture>& tiles, const std::string& ending,
                        const std::string& title) {
     constexpr std::size_t least = 96;  // pixels of a tile's longer side
-    const auto of_colours = [](const Output& one) { return one.drawing == Drawing::colours; };
-    Output output = *std::ranges::find_if(experiment.outputs, of_colours);
+    Output output = experiment.outputs.at(first_of_colours(experiment.outputs));
     if (output.rgb()) output.colormap = Colormap{"gray", {}};
     const sweep::Layout layout = sweep::layout(axes, tiles.size());
     const sweep::Mosaic mosaic = sweep::mosaic(tiles, layout, output, least);

@@ -27,7 +27,9 @@ struct Direction {
     std::int8_t right = 0;
     std::int8_t up = 0;
 };
-constexpr Direction direction(int right, int up) { return {static_cast<std::int8_t>(right), static_cast<std::int8_t>(up)}; }
+constexpr Direction direction(int right, int up) {
+    return {static_cast<std::int8_t>(right), static_cast<std::int8_t>(up)};
+}
 
 // A neighbour's weight in the lattice's stencil; five_point has no diagonal ones.
 double neighbour_share(const Lattice&, Direction);

@@ -63,6 +63,11 @@ bool reads_fields(const Output& output) {
 
 }  // namespace
 
+std::size_t first_of_colours(const std::vector<Output>& outputs) {
+    const auto found = std::ranges::find(outputs, Drawing::colours, &Output::drawing);
+    return static_cast<std::size_t>(found - outputs.begin());
+}
+
 Drawn::Drawn(const Experiment& experiment, const Output& output, std::size_t place, const Snapshot& state) {
     if (output.expressions.empty()) {
         of_state_ = state.conc.at(output.chemical);

@@ -10,6 +10,9 @@
 
 namespace pelage {
 
+// The place of the first output of colours, which is STEM.png; their number where there is none.
+std::size_t first_of_colours(const std::vector<Output>&);
+
 // Of one output, one value a cell: a single column, or red, green and blue. Columns of chemicals are those of the
 // snapshot, which must live longer.
 class Drawn {

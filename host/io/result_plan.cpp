@@ -45,8 +45,8 @@ ResultPlan::ResultPlan(const std::filesystem::path& folder, std::string stem, co
     attributes_["time"] = fmt::format("{}", experiment.time_at(snapshot.iteration));
     std::string& names = attributes_[exr_chemicals];
     for (const auto& chemical : experiment.chemicals) names += (names.empty() ? "" : " ") + chemical.name;
-    if (std::none_of(outputs_.begin(), outputs_.end(), of_colours)) outputs_.emplace_back();
-    main_ = static_cast<std::size_t>(std::find_if(outputs_.begin(), outputs_.end(), of_colours) - outputs_.begin());
+    main_ = first_of_colours(outputs_);
+    if (main_ == outputs_.size()) outputs_.emplace_back();
 }
 
 std::vector<std::string> ResultPlan::write() {

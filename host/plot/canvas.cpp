@@ -3,6 +3,7 @@
 
 #include "core/error.hpp"
 #include "io/atomic_file.hpp"
+#include "plot/text.hpp"
 
 #include <fmt/format.h>
 
@@ -46,18 +47,8 @@ double Diagram::down(double y) const {
     return height - bottom - (height - top - bottom) * std::log(y / y_.low) / std::log(y_.high / y_.low);
 }
 
-// `lean`: 0 begins at x, 0.5 is centred there, 1 ends there.
 void Diagram::text(double x, double y, const std::string& words, double size, double lean, bool upward) {
-    cairo_t* cairo = cairo_.get();
-    cairo_set_font_size(cairo, size);
-    cairo_text_extents_t extents;
-    cairo_text_extents(cairo, words.c_str(), &extents);
-    cairo_save(cairo);
-    cairo_translate(cairo, x, y);
-    if (upward) cairo_rotate(cairo, -std::numbers::pi / 2);
-    cairo_move_to(cairo, -lean * extents.x_advance, 0.36 * size);
-    cairo_show_text(cairo, words.c_str());
-    cairo_restore(cairo);
+    plot::draw_text(cairo_.get(), x, y, words, size, lean, upward);
 }
 
 void Diagram::frame(const std::string& title) {

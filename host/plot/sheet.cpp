@@ -2,6 +2,7 @@
 #include "plot/sheet.hpp"
 
 #include "core/error.hpp"
+#include "plot/text.hpp"
 
 #include <cairo-pdf.h>
 #include <cairo-svg.h>
@@ -11,7 +12,6 @@
 
 #include <algorithm>
 #include <memory>
-#include <numbers>
 #include <string>
 #include <vector>
 
@@ -109,18 +109,8 @@ private:
         text(x + 22, top + height - 6, fmt::format("{:.4g}", what_.at("range").at(0).get<double>()), letters, 0);
     }
 
-    // `lean`: 0 begins at x, 0.5 is centred there, 1 ends there.
     void text(double x, double y, const std::string& words, double size, double lean, bool upward = false) {
-        cairo_t* cairo = cairo_.get();
-        cairo_set_font_size(cairo, size);
-        cairo_text_extents_t extents;
-        cairo_text_extents(cairo, words.c_str(), &extents);
-        cairo_save(cairo);
-        cairo_translate(cairo, x, y);
-        if (upward) cairo_rotate(cairo, -std::numbers::pi / 2);
-        cairo_move_to(cairo, -lean * extents.x_advance, 0.36 * size);
-        cairo_show_text(cairo, words.c_str());
-        cairo_restore(cairo);
+        draw_text(cairo_.get(), x, y, words, size, lean, upward);
     }
 
     const nlohmann::json& what_;

@@ -18,11 +18,6 @@ namespace pelage::sweep {
 
 namespace {
 
-std::size_t first_of_colours(const Experiment& experiment) {
-    const auto of_colours = [](const Output& one) { return one.drawing == Drawing::colours; };
-    return static_cast<std::size_t>(std::ranges::find_if(experiment.outputs, of_colours) - experiment.outputs.begin());
-}
-
 // Iterations at which a tile is looked at: parts of the whole run, and of its last tenth.
 std::set<std::uint64_t> moments(std::uint64_t last, std::uint64_t parts) {
     std::set<std::uint64_t> all;
@@ -128,7 +123,7 @@ private:
 }  // namespace
 
 std::vector<double> shown(const Experiment& experiment, const Snapshot& state) {
-    const std::size_t output = first_of_colours(experiment);
+    const std::size_t output = first_of_colours(experiment.outputs);
     const Drawn drawn(experiment, experiment.outputs.at(output), output, state);
     return {drawn.values().begin(), drawn.values().end()};
 }

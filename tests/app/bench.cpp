@@ -169,7 +169,8 @@ TEST_CASE("bench refuses what it does not know") {
         CHECK_THAT(outcome.err, Contains(reason));
     };
 
-    refused({"--suite", "cell"}, "--suite 'cell' is unknown; there are: lattice, formula, cells, neighbours, growth, all");
+    refused({"--suite", "cell"},
+            "--suite 'cell' is unknown; there are: lattice, formula, cells, neighbours, growth, all");
     refused({"--against", "openmp,cuda"}, "--against 'cuda' is unknown");
     refused({"--cases", "leopard"}, "--cases 'leopard' is unknown");
     refused({"--suite", "cells", "--cases", "turing"}, "--cases names none of suite 'cells'");

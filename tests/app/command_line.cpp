@@ -193,8 +193,8 @@ TEST_CASE("pelage alone shows what there is, help tells more") {
     const Outcome of_run = command({"help", "run"});
 
     CHECK(alone.exit_code == 2);
-    for (const char* text :
-         {"run", "check", "sweep", "measure", "devices", "verify", "bench", "tune", "pelage run experiments/leopard.pex"})
+    for (const char* text : {"run", "check", "sweep", "measure", "devices", "verify", "bench", "tune",
+                             "pelage run experiments/leopard.pex"})
         CHECK_THAT(alone.err, Contains(text));
     CHECK(help.exit_code == 0);
     CHECK(help.out == alone.err);

@@ -88,7 +88,8 @@ std::string LatticeTraits::turn(Precision precision) const {
 std::string LatticeTraits::shares(Precision precision) const {
     const auto share = [&](Direction to) { return emit_number(neighbour_share(plan_, to), precision); };
     if (plan_.stencil != Stencil::own)
-        return fmt::format("#define EDGE_SHARE {}\n#define DIAGONAL_SHARE {}\n", share(direction(1, 0)), share(direction(1, 1)));
+        return fmt::format("#define EDGE_SHARE {}\n#define DIAGONAL_SHARE {}\n", share(direction(1, 0)),
+                           share(direction(1, 1)));
     std::string text = "#define OWN_SHARES {";
     for (const int up : {1, 0, -1}) {
         for (const int right : {-1, 0, 1}) text += share(direction(right, up)) + (up < 0 && right > 0 ? "}\n" : ", ");
