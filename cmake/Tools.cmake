@@ -20,10 +20,24 @@ add_library(pelage_stats STATIC ${stats_sources})
 target_include_directories(pelage_stats SYSTEM PRIVATE ${PELAGE_KISSFFT})
 target_link_libraries(pelage_stats PUBLIC pelage pelage_inside PRIVATE pelage_flags)
 
+# Several processes that share a task. What speaks MPI is a module that is opened where they are started: nobody else
+# needs it.
+add_library(pelage_cluster STATIC host/cluster/join.cpp host/cluster/together.cpp)
+target_link_libraries(pelage_cluster PUBLIC pelage pelage_inside PRIVATE pelage_flags ${CMAKE_DL_LIBS})
+find_package(MPI COMPONENTS CXX)
+if(MPI_CXX_FOUND)
+  add_library(pelage_mpi MODULE host/cluster/mpi.cpp)
+  set_target_properties(pelage_mpi PROPERTIES OUTPUT_NAME pelage-mpi PREFIX "")
+  target_compile_definitions(pelage_mpi PRIVATE OMPI_SKIP_MPICXX MPICH_SKIP_MPICXX)
+  target_link_libraries(pelage_mpi PRIVATE pelage_inside pelage_flags MPI::MPI_CXX)
+else()
+  message(STATUS "Without MPI there is no pelage-mpi.so: `mpirun pelage sweep` will say so")
+endif()
+
 # Experiments at many values of their parameters.
 file(GLOB sweep_sources CONFIGURE_DEPENDS host/sweep/*.cpp)
 add_library(pelage_sweep STATIC ${sweep_sources})
-target_link_libraries(pelage_sweep PUBLIC pelage_stats pelage pelage_inside PRIVATE pelage_flags)
+target_link_libraries(pelage_sweep PUBLIC pelage_cluster pelage_stats pelage pelage_inside PRIVATE pelage_flags)
 
 # Experiments made of other programs' files.
 find_package(EXPAT REQUIRED)

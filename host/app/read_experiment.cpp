@@ -2,6 +2,7 @@
 #include "app/read_experiment.hpp"
 
 #include "app/say.hpp"
+#include "language/include.hpp"
 
 #include <fmt/format.h>
 
@@ -24,10 +25,19 @@ std::string text_of_standard_input() {
 
 }  // namespace
 
+std::string experiment_text(const std::filesystem::path& file) {
+    return file == standard_input ? text_of_standard_input() : language::read_text(file);
+}
+
+Experiment experiment_of(const std::string& text, const std::filesystem::path& file, StartPictures pictures,
+                         const std::vector<Setting>& settings, Outline* outline) {
+    if (file == standard_input) return parse_experiment(text, "standard input", ".", outline, pictures, settings);
+    return parse_experiment(text, file.string(), file.parent_path(), outline, pictures, settings);
+}
+
 Experiment read_experiment(const std::filesystem::path& file, Outline* outline, StartPictures pictures,
                            const std::vector<Setting>& settings) {
-    if (file != standard_input) return parse_experiment_file(file, outline, pictures, settings);
-    return parse_experiment(text_of_standard_input(), "standard input", ".", outline, pictures, settings);
+    return experiment_of(experiment_text(file), file, pictures, settings, outline);
 }
 
 void print_warnings(const Experiment& experiment, const std::vector<Warning>& warnings) {

@@ -65,13 +65,17 @@ std::string Table::verdict(std::size_t tile) const {
     return row.substr(at, row.find(',', at) - at);
 }
 
-void Table::add(std::size_t tile, const Point& point, std::int64_t seed, const TileResult& result, double seconds) {
+std::string Table::row(std::size_t tile, const Point& point, std::int64_t seed, const TileResult& result,
+                       double seconds) const {
     std::string row =
         beginning(tile, point) + fmt::format("{},{},{},", seed, result.iterations, name_of(result.verdict));
     if (result.settled) row += std::to_string(*result.settled);
     for (const auto& [name, value] : stats::listed(result.statistics.value_or(stats::Statistics{})))
         row += result.statistics ? fmt::format(",{:.6g}", value) : ",";
-    row += fmt::format(",{},{:.3f}", result.hash, seconds);
+    return row + fmt::format(",{},{:.3f}", result.hash, seconds);
+}
+
+void Table::add(std::size_t tile, std::string row) {
     const bool anew = rows_.empty();
     rows_[tile] = row;
     if (anew) return sort();

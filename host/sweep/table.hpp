@@ -25,8 +25,10 @@ public:
     std::size_t size() const { return rows_.size(); }
     std::string verdict(std::size_t tile) const;  // of a tile that it has
 
+    // The row of a tile, as add() takes it. Any thread.
+    std::string row(std::size_t tile, const Point&, std::int64_t seed, const TileResult&, double seconds) const;
     // Adds the row to the file. Throws Error where it cannot be written.
-    void add(std::size_t tile, const Point&, std::int64_t seed, const TileResult&, double seconds);
+    void add(std::size_t tile, std::string row);
 
     // Writes the file anew, in the order of tiles, aside first.
     void sort() const;

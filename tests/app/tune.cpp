@@ -95,7 +95,7 @@ Outcome disturbed(const Folder& folder, int signal, const std::vector<std::strin
                                    "--quick",      "--json", folder / "trials.json"};
     words.insert(words.end(), more.begin(), more.end());
     Child child(words, remembering_in(folder));
-    const pid_t worker = test::worker_of(child.id());
+    const pid_t worker = test::child_of(child.id(), "--worker");
     REQUIRE(worker != 0);
     kill(worker, signal);
     return child.wait();
@@ -213,7 +213,7 @@ TEST_CASE("a long run says that it looks for a faster kernel before it does") {
     Child child({PELAGE_COMMAND, "run", file, "--backend", "opencl", "--iterations", "400000", "--no-self-test",
                  "--out", folder / "out"},
                 remembering_in(folder));
-    REQUIRE(test::worker_of(child.id()) != 0);
+    REQUIRE(test::child_of(child.id(), "--worker") != 0);
 
     child.signal(SIGTERM);
     const Outcome outcome = child.wait();
@@ -227,7 +227,7 @@ TEST_CASE("a search that is ended takes its child with it, without a word") {
     const Folder folder;
     const std::string file = folder.write("spots.pex", test::spots);
     Child child({PELAGE_COMMAND, "tune", file, "--no-cache"}, remembering_in(folder));
-    const pid_t worker = test::worker_of(child.id());
+    const pid_t worker = test::child_of(child.id(), "--worker");
     REQUIRE(worker != 0);
     std::this_thread::sleep_for(std::chrono::milliseconds(700));  // it compiles
 

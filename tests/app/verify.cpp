@@ -13,7 +13,7 @@ using test::command;
 using test::Folder;
 using test::Outcome;
 using test::read_all;
-using test::worker_of;
+using test::child_of;
 
 namespace {
 
@@ -21,7 +21,7 @@ namespace {
 Outcome disturbed(const Folder& folder, int signal) {
     Child child({PELAGE_COMMAND, "verify", "--filter", "neighbours/many", "--full", "--jobs", "1", "--limit", "2",
                  "--json", folder / "report.json"});
-    const pid_t worker = worker_of(child.id());
+    const pid_t worker = child_of(child.id(), "--worker");
     REQUIRE(worker != 0);
     kill(worker, signal);
     return child.wait();

@@ -120,7 +120,7 @@ Outcome shell(const std::string& line, const Surroundings& surroundings) {
     return Child({"sh", "-c", line}, surroundings).wait();
 }
 
-pid_t worker_of(pid_t parent) {
+pid_t child_of(pid_t parent, const std::string& word) {
     for (int attempt = 0; attempt < 1000; ++attempt) {
         for (const auto& entry : std::filesystem::directory_iterator("/proc")) {
             std::ifstream status(entry.path() / "stat");  // "PID (NAME) STATE PARENT ..."
@@ -131,7 +131,7 @@ pid_t worker_of(pid_t parent) {
             pid_t above = 0;
             if (!(rest >> state >> above) || above != parent) continue;
             // Before it has become another program, its parent cannot go on either.
-            if (read_all(entry.path() / "cmdline").find("--worker") != std::string::npos) {
+            if (read_all(entry.path() / "cmdline").find(word) != std::string::npos) {
                 return std::stoi(entry.path().filename());
             }
         }

@@ -73,8 +73,8 @@ Outcome command(std::vector<std::string> words, const Surroundings& = {});
 // A line of the shell, to its end.
 Outcome shell(const std::string& line, const Surroundings& = {});
 
-// The child process with --worker of a `pelage` that has started, once it is there; 0: none came.
-pid_t worker_of(pid_t parent);
+// The child of a process that has this word in its command line, once it is there; 0: none came.
+pid_t child_of(pid_t parent, const std::string& word);
 
 // The file is there; false when the child ends or two minutes pass first.
 bool wait_for(const std::filesystem::path&, Child&);

@@ -1,0 +1,94 @@
+// See tile_runner.hpp.
+#include "app/tile_runner.hpp"
+
+#include "app/interrupt.hpp"
+#include "app/read_experiment.hpp"
+#include "app/settings.hpp"
+#include "core/error.hpp"
+#include "core/prepattern.hpp"
+#include "core/seed.hpp"
+#include "core/stability.hpp"
+#include "io/npy.hpp"
+#include "sweep/tile.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <chrono>
+
+namespace pelage::app {
+
+TileRunner::TileRunner(const SweepOptions& options, const SweepDesign& design, const std::string& text,
+                       const sweep::Table& table)
+    : options_(options),
+      design_(design),
+      text_(text),
+      table_(table),
+      steady_(steady_tolerance(options)),
+      folder_(options.run.folder() / "tiles") {}
+
+Experiment TileRunner::experiment(std::size_t tile) const {
+    const sweep::Point& point = design_.points[tile];
+    std::vector<Setting> settings = settings_of(options_.run.settings);
+    settings.insert(settings.end(), point.settings.begin(), point.settings.end());
+    Experiment experiment = experiment_of(text_, options_.run.file, StartPictures::read, settings);
+    if (options_.run.seed) experiment.seed = options_.run.seed;
+    if (seeded_by_clock(experiment))
+        throw Error(
+            fmt::format("{}: the seed comes from the clock; give one with --seed, so that tiles can be "
+                        "repeated",
+                        experiment.source));
+    if (point.replicate > 0) experiment.seed = experiment.run_seed() + static_cast<std::int64_t>(point.replicate);
+    sweep::check_measurable(experiment);
+    return experiment;
+}
+
+std::uint64_t TileRunner::last_iteration(const Experiment& experiment) const {
+    return options_.run.iterations.value_or(experiment.last_iteration());
+}
+
+std::optional<std::string> TileRunner::run(Backend& backend, std::size_t tile) const {
+    const auto start = std::chrono::steady_clock::now();
+    const Experiment experiment = this->experiment(tile);
+    const Snapshot initial = initial_state(experiment, options_.run.precision);
+    std::optional<sweep::TileResult> result;
+    if (!options_.run.force && find_instability(experiment, initial)) {
+        result.emplace();
+        result->verdict = stats::Verdict::unstable;
+    } else {
+        const auto tissue = backend.make_tissue(experiment, initial);
+        result = sweep::run_tile(*tissue, experiment, {last_iteration(experiment), steady_, Interrupt::came});
+        if (!result) return std::nullopt;
+        keep(experiment, tile, result->state);
+    }
+    const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+    return table_.row(tile, design_.points[tile], experiment.run_seed(), *result, seconds);
+}
+
+bool TileRunner::has_files(std::size_t tile) const {
+    if (!std::filesystem::exists(values_of(tile))) return false;
+    if (options_.run.formats.empty()) return true;
+    const auto there = [&](Format format) {
+        const char* ending = format == Format::png   ? "png"
+                             : format == Format::exr ? "exr"
+                             : format == Format::csv ? "csv"
+                                                     : "vti";
+        return format == Format::npy || std::filesystem::exists(folder_ / fmt::format("{}.{}", tile, ending));
+    };
+    return std::ranges::all_of(options_.run.format_list(), there);
+}
+
+std::filesystem::path TileRunner::values_of(std::size_t tile) const { return folder_ / fmt::format(".{}.npy", tile); }
+
+void TileRunner::keep(const Experiment& experiment, std::size_t tile, const Snapshot& state) const {
+    write_npy(values_of(tile), {state.rows, state.columns}, sweep::shown(experiment, state), NpyType::float32);
+    if (options_.run.formats.empty()) return;
+    ResultOptions what;
+    what.formats = options_.run.format_list();
+    what.precision = options_.run.precision;
+    what.attributes["experiment"] = experiment.text;
+    what.attributes["seed"] = std::to_string(experiment.run_seed());
+    write_results(folder_, std::to_string(tile), state, experiment, what);
+}
+
+}  // namespace pelage::app

@@ -1,0 +1,44 @@
+// One tile of a sweep: from its values to its files and its row of the table.
+#pragma once
+
+#include "app/sweep_design.hpp"
+#include "app/sweeper.hpp"
+#include "core/experiment.hpp"
+#include "core/tissue.hpp"
+#include "sweep/table.hpp"
+
+#include <cstddef>
+#include <filesystem>
+#include <optional>
+#include <string>
+
+namespace pelage::app {
+
+class TileRunner {
+public:
+    // `text`: the experiment's. Keeps references to what it is given.
+    TileRunner(const SweepOptions&, const SweepDesign&, const std::string& text, const sweep::Table&);
+
+    // Throws Error where the text, with the tile's values, is not an experiment whose results can be measured.
+    Experiment experiment(std::size_t tile) const;
+    std::uint64_t last_iteration(const Experiment&) const;
+
+    // Runs it, writes its files and returns its row; empty: interrupted. Any thread.
+    std::optional<std::string> run(Backend&, std::size_t tile) const;
+
+    // Whether the files that the sheet and --format want are there; of arrays nothing is known here.
+    bool has_files(std::size_t tile) const;
+    std::filesystem::path values_of(std::size_t tile) const;  // what the sheet shows of it
+
+private:
+    void keep(const Experiment&, std::size_t tile, const Snapshot&) const;
+
+    const SweepOptions& options_;
+    const SweepDesign& design_;
+    const std::string& text_;
+    const sweep::Table& table_;
+    std::optional<double> steady_;
+    std::filesystem::path folder_;  // of tiles
+};
+
+}  // namespace pelage::app
