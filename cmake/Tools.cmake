@@ -70,7 +70,7 @@ if(NOT CMAKE_UNITY_BUILD)
 endif()
 
 # What takes time at run time is in the library and in the benchmarks' baselines; here it is compiling.
-foreach(target pelage_import pelage_verify pelage_tune pelage_stats pelage_sweep pelage_app pelage_command)
+foreach(target pelage_import pelage_verify pelage_tune pelage_stats pelage_cluster pelage_sweep pelage_app pelage_command)
   pelage_unite(${target})
   target_compile_options(${target} PRIVATE $<$<CONFIG:Release>:-O1>)
 endforeach()

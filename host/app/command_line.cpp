@@ -203,4 +203,14 @@ int parse(CLI::App& app, int argc, char** argv) {
     return success;
 }
 
+int obey(int argc, char** argv) {
+    int exit_code = success;
+    CLI::App app;
+    define(app, exit_code);
+    const int parsed = parse(app, argc, argv);
+    if (parsed != success) return parsed;
+    // A run's results are files, and these are whole.
+    return app.got_subcommand("run") ? exit_code : unless_unprinted(exit_code);
+}
+
 }  // namespace pelage::app

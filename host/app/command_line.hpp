@@ -1,6 +1,8 @@
 // The whole command line: its definition, and what is said where it is wrong.
 #pragma once
 
+#include "app/obey.hpp"
+
 #include <CLI/App.hpp>
 
 #include <string>
@@ -17,9 +19,6 @@ int parse(CLI::App&, int argc, char** argv);
 
 // The text of --help: of the command of that name, or an overview where it is empty. Throws Error as command_named().
 std::string help_of(const CLI::App&, const std::string& command);
-
-// "pelage: TEXT" on standard error; returns bad_input.
-int complain(const std::string& text);
 
 // The exit code, unless what was to be printed has not arrived: then that is told, and it is bad_input.
 int unless_unprinted(int exit_code);

@@ -1,11 +1,8 @@
 // The `pelage` command: picks the subcommand and turns every error into one sentence and an exit code.
-#include "app/command_line.hpp"
-#include "app/commands.hpp"
 #include "app/last_will.hpp"
+#include "app/obey.hpp"
 #include "app/say.hpp"
 #include "opencl/device/kernel_sources.hpp"
-
-#include <CLI/App.hpp>
 
 #include <cstddef>
 #include <cstdio>
@@ -30,16 +27,6 @@ void tell_of_other_kernels(std::span<char*> arguments) {
     pelage::app::say(stderr, "note: kernels come from PELAGE_KERNELS, '{}', not from this program\n", folder);
 }
 
-int run(int argc, char** argv) {
-    int exit_code = pelage::app::success;
-    CLI::App app;
-    pelage::app::define(app, exit_code);
-    const int parsed = pelage::app::parse(app, argc, argv);
-    if (parsed != pelage::app::success) return parsed;
-    // A run's results are files, and these are whole.
-    return app.got_subcommand("run") ? exit_code : pelage::app::unless_unprinted(exit_code);
-}
-
 }  // namespace
 
 int main(int argc, char** argv) {
@@ -48,7 +35,7 @@ int main(int argc, char** argv) {
     pelage::app::tidy_when_killed();
     try {
         tell_of_other_kernels({argv, static_cast<std::size_t>(argc)});
-        return run(argc, argv);
+        return pelage::app::obey(argc, argv);
     } catch (const std::bad_alloc&) {
         return complain("out of memory");
     } catch (const std::exception& error) {

@@ -3,13 +3,13 @@
 
 #include "core/error.hpp"
 #include "opencl/backend.hpp"
+#include "support/variable.hpp"
 
 #include <catch2/catch.hpp>
 
-#include <cstdlib>
-
 using namespace pelage;
 using Catch::Matchers::Contains;
+using test::Variable;
 
 namespace {
 
@@ -39,24 +39,6 @@ const std::vector<DeviceInfo> many{device(0, "llvmpipe (LLVM 15)", "gpu"),
                                    device(3, "Radiant 9000", "gpu"),
                                    device(4, "Radiant 9001", "gpu"),
                                    device(5, "Abacus", "accelerator")};
-
-class Variable {  // an environment variable for the time of a test
-public:
-    Variable(const char* name, const char* value) : name_(name) {
-        if (const char* before = std::getenv(name)) before_ = before;
-        setenv(name, value, 1);
-    }
-    ~Variable() {
-        if (before_) setenv(name_, before_->c_str(), 1);
-        if (!before_) unsetenv(name_);
-    }
-    Variable(const Variable&) = delete;
-    Variable& operator=(const Variable&) = delete;
-
-private:
-    const char* name_;
-    std::optional<std::string> before_;
-};
 
 }  // namespace
 

@@ -30,7 +30,7 @@ std::pair<int, int> run_with_little_memory(Stage& stage, std::size_t all) {
     Faults& layer = Faults::layer();
     int recovered = 0;
     int refused = 0;
-    for (std::size_t percent = 100; percent >= 40; percent -= test::long_form ? 3 : 6) {
+    for (std::size_t percent = 100; percent >= 40; percent -= test::long_form ? 3 : 10) {
         layer.reset();
         stage.machine.memory = all / 100 * percent;
         INFO(fmt::format("{} of {} bytes", stage.machine.memory, all));

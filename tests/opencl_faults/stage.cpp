@@ -109,17 +109,6 @@ bool readable(const std::filesystem::path& file) {
 
 }  // namespace
 
-Variable::Variable(const char* name, const char* value) : name_(name) {
-    if (const char* before = std::getenv(name)) before_ = before;
-    if (value != nullptr) setenv(name, value, 1);
-    if (value == nullptr) unsetenv(name);
-}
-
-Variable::~Variable() {
-    if (before_) setenv(name_, before_->c_str(), 1);
-    if (!before_) unsetenv(name_);
-}
-
 namespace {
 
 // PoCL compiles in a folder that it keeps for the whole program: not in that of a stage, which goes.

@@ -5,6 +5,7 @@
 
 #include "app/run_options.hpp"
 #include "support/process.hpp"
+#include "support/variable.hpp"
 
 #include <cstddef>
 #include <filesystem>
@@ -26,19 +27,6 @@ inline constexpr bool long_form = false;
 struct Ending {
     bool finished = false;
     std::string error;
-};
-
-// An environment variable while it lives; nullptr: not set.
-class Variable {
-public:
-    Variable(const char* name, const char* value);
-    ~Variable();
-    Variable(const Variable&) = delete;
-    Variable& operator=(const Variable&) = delete;
-
-private:
-    const char* name_;
-    std::optional<std::string> before_;
 };
 
 // A folder with experiments, and the results of a run without faults to compare with.
