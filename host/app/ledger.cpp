@@ -4,6 +4,7 @@
 
 #include "core/error.hpp"
 #include "io/file_bytes.hpp"
+#include "io/format.hpp"
 #include "io/sha256.hpp"
 #include "io/utf8.hpp"
 
@@ -11,7 +12,6 @@
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
-#include <array>
 #include <charconv>
 #include <fstream>
 #include <sstream>
@@ -25,7 +25,6 @@ using Json = nlohmann::json;
 
 constexpr const char* manifest_name = "manifest.json";
 constexpr const char* journal_name = ".pelage-results";
-constexpr std::array endings{".exr", ".png", ".npy", ".csv", ".vti", ".vtp", ".pelage"};
 
 std::string text_of(const fs::path& file) {
     try {
@@ -38,7 +37,8 @@ std::string text_of(const fs::path& file) {
 // A name that a run gives: of a file in the folder itself, of a kind that we write.
 bool possible(const std::string& name) {
     if (name.empty() || name.front() == '.' || name.find('/') != std::string::npos) return false;
-    return std::any_of(endings.begin(), endings.end(), [&](const char* ending) { return name.ends_with(ending); });
+    return name.ends_with(".pelage") ||
+           std::ranges::any_of(format_endings(), [&](const std::string& ending) { return name.ends_with(ending); });
 }
 
 std::string word(const Json& json, const char* key) {

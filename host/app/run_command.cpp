@@ -33,7 +33,7 @@ CLI::Validator formats() {
             try {
                 (void)parse_formats(word);
             } catch (const Error& error) {
-                return error.what() + meant(word, {"exr", "png", "npy", "csv", "vti"});
+                return error.what() + meant(word, format_words());
             }
         }
         return list.empty() || list.back() == ',' ? "a format is missing in '" + list + "'" : "";
@@ -140,8 +140,9 @@ void add_result_options(CLI::App& command, RunOptions& options) {
                     "Folder for the results, made if need be. Default: out/NAME of the experiment")
         ->type_name("DIR");
     command
-        .add_option("--format", options.formats,
-                    "Files to write, separated by commas: exr, png, npy, csv, vti. Default: exr,png")
+        .add_option(
+            "--format", options.formats,
+            fmt::format("Files to write, separated by commas: {}. Default: exr,png", fmt::join(format_words(), ", ")))
         ->type_name("LIST")
         ->check(formats());
     command

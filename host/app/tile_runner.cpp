@@ -68,14 +68,11 @@ std::optional<std::string> TileRunner::run(Backend& backend, std::size_t tile) c
 bool TileRunner::has_files(std::size_t tile) const {
     if (!std::filesystem::exists(values_of(tile))) return false;
     if (options_.run.formats.empty()) return true;
-    const auto there = [&](Format format) {
-        const char* ending = format == Format::png   ? "png"
-                             : format == Format::exr ? "exr"
-                             : format == Format::csv ? "csv"
-                                                     : "vti";
-        return format == Format::npy || std::filesystem::exists(folder_ / fmt::format("{}.{}", tile, ending));
-    };
-    return std::ranges::all_of(options_.run.format_list(), there);
+    const std::vector<Format> wanted = options_.run.format_list();
+    return std::ranges::all_of(format_table(), [&](const FormatRow& row) {
+        return row.format == Format::npy || std::ranges::find(wanted, row.format) == wanted.end() ||
+               std::filesystem::exists(folder_ / (std::to_string(tile) + row.lattice.ending));
+    });
 }
 
 std::filesystem::path TileRunner::values_of(std::size_t tile) const { return folder_ / fmt::format(".{}.npy", tile); }

@@ -1,13 +1,11 @@
 // See result_plan.hpp.
 #include "io/result_plan.hpp"
 
-#include "io/csv.hpp"
 #include "io/exr.hpp"
 #include "io/npy.hpp"
 #include "io/parallel.hpp"
 #include "io/picture.hpp"
 #include "io/texture.hpp"
-#include "io/vtk.hpp"
 
 #include <fmt/format.h>
 #include <algorithm>
@@ -50,8 +48,8 @@ ResultPlan::ResultPlan(const std::filesystem::path& folder, std::string stem, co
 }
 
 std::vector<std::string> ResultPlan::write() {
-    for (const auto format : {Format::exr, Format::png, Format::npy, Format::csv, Format::vtk}) {
-        if (wanted(format)) plan(format);
+    for (const FormatRow& row : format_table()) {
+        if (wanted(row.format)) plan(row);
     }
     if (experiment_.texture && (wanted(Format::exr) || wanted(Format::png)))
         plan_texture((*experiment_.texture)[0], (*experiment_.texture)[1]);
@@ -101,27 +99,15 @@ std::string ResultPlan::picture_name(const std::string& stem, const Output& outp
     return first ? stem + ".png" : free_name(stem, name, ".png");
 }
 
-void ResultPlan::plan(Format format) {
-    switch (format) {
-        case Format::exr:
-            if (!snapshot_.lattice()) return;
-            return plan_layers(stem_ + ".exr", snapshot_.columns, snapshot_.rows,
-                               {snapshot_.conc.begin(), snapshot_.conc.end()});
-        case Format::png:
-            return plan_pictures();
-        case Format::npy:
-            return plan_arrays();
-        case Format::csv:
-            return add(stem_ + ".csv",
-                       [this](const auto& path) { write_csv(path, snapshot_, experiment_, options_.precision); });
-        case Format::vtk:
-            if (snapshot_.lattice()) {
-                return add(stem_ + ".vti",
-                           [this](const auto& path) { write_vti(path, snapshot_, experiment_, options_.precision); });
-            }
-            return add(stem_ + ".vtp",
-                       [this](const auto& path) { write_vtp(path, snapshot_, experiment_, options_.precision); });
-    }
+void ResultPlan::plan(const FormatRow& row) {
+    if (row.format == Format::exr && snapshot_.lattice())
+        plan_layers(stem_ + ".exr", snapshot_.columns, snapshot_.rows, {snapshot_.conc.begin(), snapshot_.conc.end()});
+    if (row.format == Format::png) plan_pictures();
+    if (row.format == Format::npy) plan_arrays();
+    const StateFile& file = snapshot_.lattice() ? row.lattice : row.cells;
+    if (file.write == nullptr) return;
+    add(stem_ + file.ending,
+        [this, write = file.write](const auto& path) { write(path, snapshot_, experiment_, options_.precision); });
 }
 
 void ResultPlan::plan_layers(const std::string& file, std::size_t columns, std::size_t rows, const Layers& layers) {

@@ -35,7 +35,7 @@ private:
     std::string free_name(const std::string& stem, const std::string& name, const std::string& ending) const;
     std::string picture_name(const std::string& stem, const Output&, bool first) const;
 
-    void plan(Format);
+    void plan(const FormatRow&);
     void plan_layers(const std::string& file, std::size_t columns, std::size_t rows, const Layers&);
     void plan_pictures();
     void plan_picture(std::size_t output);

@@ -8,6 +8,7 @@
 #include "io/colour.hpp"
 #include "io/draw_cells.hpp"
 #include "io/exr.hpp"
+#include "io/format.hpp"
 
 #include <cstdint>
 #include <filesystem>
@@ -17,18 +18,6 @@
 #include <vector>
 
 namespace pelage {
-
-enum class Format {
-    exr,  // STEM.exr: a lattice's concentrations, and in Y the first output's chemical, which other programs show
-    png,  // STEM.png: the first output of colours; STEM.NAME.png: the others, by chemical or name (STEM.NAME-2.png if
-          // that is taken); STEM.NAME.height.png and STEM.NAME.normal.png: maps of a lattice
-    npy,  // STEM.NAME.npy for each chemical: rows x columns, bottom row first, or one dimension for free cells
-    csv,  // STEM.csv
-    vtk   // STEM.vti for a lattice, STEM.vtp for free cells
-};
-
-// "exr,png,npy,csv,vti": a list with commas; "vtp" and "vtk" mean the same as "vti". Throws Error on other words.
-std::vector<Format> parse_formats(const std::string& list);
 
 struct ResultOptions {
     std::vector<Format> formats{Format::exr, Format::png};
