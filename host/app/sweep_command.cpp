@@ -91,6 +91,11 @@ void add_results(CLI::App& command, SweepOptions& options) {
     command.add_option("--sheet", options.sheet, "The contact sheet's kind of file. Default: png")
         ->type_name("png|svg|pdf")
         ->check(one_of({"png", "svg", "pdf"}));
+    command
+        .add_option("--across", options.across,
+                    "Points or samples side by side in the sheet. Default: about as many as one upon another")
+        ->type_name("N")
+        ->transform(whole_number(1, sweep::largest_tile_count));
     command.add_flag("--quiet", options.run.quiet, "Say nothing but errors");
 }
 

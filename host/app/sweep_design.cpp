@@ -25,6 +25,8 @@ std::vector<sweep::Axis> axes_of(const SweepOptions& options) {
     if (options.latin) throw Error("--latin says how samples are drawn; give their number with --samples");
     std::vector<sweep::Axis> axes;
     for (const std::string& word : options.vary) axes.push_back(sweep::parse_axis(word));
+    if (options.across > 0 && !axes.empty())
+        throw Error("--across lays out points or samples; the tiles of a grid lie along its axes");
     if (axes.empty() && options.replicates == 1)
         throw Error("nothing varies; give --vary NAME=LOW:HIGH:COUNT, --points FILE or --replicates N");
     return axes;

@@ -61,12 +61,12 @@ ordered_json colours_of(const Output& output, const ValueRange& range) {
 
 std::string draw_sheet(const std::filesystem::path& folder, const Experiment& experiment,
                        const std::vector<sweep::Axis>& axes, std::size_t replicates,
-                       const std::vector<sweep::TilePicture>& tiles, const std::string& ending,
+                       const std::vector<sweep::TilePicture>& tiles, std::size_t across, const std::string& ending,
                        const std::string& title) {
     constexpr std::size_t least = 96;  // pixels of a tile's longer side
     Output output = experiment.outputs.at(first_of_colours(experiment.outputs));
     if (output.rgb()) output.colormap = Colormap{"gray", {}};
-    const sweep::Layout layout = sweep::layout(axes, tiles.size());
+    const sweep::Layout layout = sweep::layout(axes, tiles.size(), across);
     const sweep::Mosaic mosaic = sweep::mosaic(tiles, layout, output, least);
     if (mosaic.picture.pixels.empty()) return "no tile could be drawn, so there is no contact sheet";
     if (!plotter_is_there()) {

@@ -183,8 +183,8 @@ private:
             }
             tiles.push_back(std::move(picture));
         }
-        const std::string note = draw_sheet(folder_, first_, design_.axes, options_.replicates, tiles, options_.sheet,
-                                            fmt::format("{}, iteration {}", first_.source, last_));
+        const std::string note = draw_sheet(folder_, first_, design_.axes, options_.replicates, tiles, options_.across,
+                                            options_.sheet, fmt::format("{}, iteration {}", first_.source, last_));
         if (options_.run.quiet) return success;
         if (!note.empty()) say(stderr, "note: {}\n", note);
         say("{}\n", verdicts());

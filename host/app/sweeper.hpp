@@ -21,6 +21,8 @@ struct SweepOptions {
     std::size_t replicates = 1;
     std::vector<std::string> until;  // empty, or "steady" and a tolerance
     std::string sheet = "png";
+    std::size_t across =
+        0;  // tiles of a design without axes side by side in the sheet; 0: about as many as one upon another
     std::size_t jobs = 0;  // tiles at one time; 0: as many as processors, where tiles are small and run on them
 };
 

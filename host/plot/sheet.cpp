@@ -34,6 +34,16 @@ Surface canvas(const std::filesystem::path& file, double width, double height) {
     return Surface(cairo_image_surface_create(CAIRO_FORMAT_RGB24, static_cast<int>(width), static_cast<int>(height)));
 }
 
+double title_width(const std::string& words) {
+    const Surface surface(cairo_image_surface_create(CAIRO_FORMAT_RGB24, 1, 1));
+    const Context context(cairo_create(surface.get()));
+    cairo_select_font_face(context.get(), "sans-serif", CAIRO_FONT_SLANT_NORMAL, CAIRO_FONT_WEIGHT_NORMAL);
+    cairo_set_font_size(context.get(), letters * 1.15);
+    cairo_text_extents_t extents;
+    cairo_text_extents(context.get(), words.c_str(), &extents);
+    return extents.x_advance;
+}
+
 void check(cairo_status_t status, const std::filesystem::path& file) {
     if (status != CAIRO_STATUS_SUCCESS)
         throw Error(fmt::format("cannot draw '{}': {}", file.string(), cairo_status_to_string(status)));
@@ -46,7 +56,9 @@ public:
         check(cairo_surface_status(mosaic_.get()), what.at("mosaic").get<std::string>());
         width_ = cairo_image_surface_get_width(mosaic_.get());
         height_ = cairo_image_surface_get_height(mosaic_.get());
-        surface_ = canvas(file, std::max(left + width_ + right, 480.0), std::max(top + height_ + bottom, 220.0));
+        const double title = left + title_width(what.at("title").get<std::string>()) + 20;
+        surface_ =
+            canvas(file, std::max({left + width_ + right, title, 480.0}), std::max(top + height_ + bottom, 220.0));
         check(cairo_surface_status(surface_.get()), file);
         cairo_.reset(cairo_create(surface_.get()));
     }

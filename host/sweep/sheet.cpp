@@ -9,12 +9,13 @@
 
 namespace pelage::sweep {
 
-Layout layout(const std::vector<Axis>& axes, std::size_t tiles) {
+Layout layout(const std::vector<Axis>& axes, std::size_t tiles, std::size_t across) {
     if (!axes.empty()) {
-        const std::size_t across = axes.front().values.size();
+        across = axes.front().values.size();
         return {across, (tiles + across - 1) / across, true};
     }
-    const auto across = static_cast<std::size_t>(std::ceil(std::sqrt(static_cast<double>(tiles))));
+    if (across == 0) across = static_cast<std::size_t>(std::ceil(std::sqrt(static_cast<double>(tiles))));
+    across = std::min(across, tiles);
     return {across, (tiles + across - 1) / across, false};
 }
 
@@ -41,16 +42,21 @@ void paste(const Picture& tile, std::size_t left, std::size_t top, std::size_t r
 
 Mosaic mosaic(const std::vector<TilePicture>& tiles, const Layout& layout, const Output& output, std::size_t least) {
     Mosaic made;
-    const auto first = std::ranges::find_if(tiles, [](const TilePicture& tile) { return !tile.values.empty(); });
-    if (first == tiles.end()) return made;
-    const std::size_t factor = std::max<std::size_t>(1, least / std::max(first->columns, first->rows));
-    made.tile_columns = first->columns * factor;
-    made.tile_rows = first->rows * factor;
+    std::size_t columns = 0, rows = 0;
+    for (const TilePicture& tile : tiles) {
+        if (tile.values.empty()) continue;
+        columns = std::max(columns, tile.columns);
+        rows = std::max(rows, tile.rows);
+    }
+    if (columns == 0) return made;
+    const std::size_t factor = std::max<std::size_t>(1, least / std::max(columns, rows));
+    made.tile_columns = columns * factor;
+    made.tile_rows = rows * factor;
     made.range = common_range(tiles, output);
     made.picture = Picture(layout.across * (made.tile_columns + gap) - gap, layout.down * (made.tile_rows + gap) - gap);
     for (std::size_t i = 0; i < tiles.size(); ++i) {
         const TilePicture& tile = tiles[i];
-        if (tile.values.empty() || tile.columns > first->columns || tile.rows > first->rows) continue;
+        if (tile.values.empty()) continue;
         const Brush brush(output, {std::span<const double>(tile.values)}, made.range);
         const std::size_t row = i / layout.across, line = layout.from_below ? layout.down - 1 - row : row;
         paste(enlarged(render(brush, tile.columns, tile.rows), factor), i % layout.across * (made.tile_columns + gap),

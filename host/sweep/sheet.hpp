@@ -13,12 +13,12 @@
 namespace pelage::sweep {
 
 // Where tiles lie: across by the first axis, upwards by the others and the replicates; without axes row by row from the
-// top, about as many across as down.
+// top, `across` of them in each, or about as many across as down where that is 0.
 struct Layout {
     std::size_t across = 1, down = 1;
     bool from_below = false;
 };
-Layout layout(const std::vector<Axis>&, std::size_t tiles);
+Layout layout(const std::vector<Axis>&, std::size_t tiles, std::size_t across = 0);
 
 inline constexpr std::size_t gap = 4;  // pixels between tiles
 
@@ -28,7 +28,7 @@ struct TilePicture {
 };
 
 // All in one range: the output's own, or from the lowest to the highest value. Tiles smaller than `least` pixels are
-// enlarged by a whole factor. A tile of other size than the first is put into its lower left corner.
+// enlarged by a whole factor. A place is as large as the largest tile; a smaller one lies in its lower left corner.
 struct Mosaic {
     Picture picture{0, 0};
     std::size_t tile_columns = 0, tile_rows = 0;  // pixels
