@@ -59,7 +59,9 @@ void add_machine(CLI::App& command, SweepOptions& options) {
                     "What computes: reference or opencl. Default: opencl where it can")
         ->type_name("reference|opencl")
         ->check(one_of({"reference", "opencl"}));
-    command.add_option("--device", options.run.device, "OpenCL device, as in `pelage run`")->type_name("INDEX|NAME");
+    command
+        .add_option("--device", options.run.device, "OpenCL device, as in `pelage run`; all: every device takes tiles")
+        ->type_name("INDEX|NAME|all");
     command
         .add_option_function<std::string>(
             "--precision",

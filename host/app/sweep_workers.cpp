@@ -22,6 +22,33 @@ std::unique_ptr<Backend> backend_of_one(const Machine& machine, Precision precis
     return opencl_backend(wanted);
 }
 
+RunOptions on_device(RunOptions options, std::size_t index) {
+    options.device = std::to_string(index);
+    return options;
+}
+
+bool usable_card(const DeviceInfo& device) {
+    return device.unusable.empty() && device.type == "gpu" && !device.software_rasteriser();
+}
+
+std::vector<std::size_t> cards_here() {
+    std::vector<std::size_t> cards;
+    for (const DeviceInfo& device : list_devices()) {
+        if (usable_card(device)) cards.push_back(device.index);
+    }
+    return cards;
+}
+
+std::vector<std::size_t> devices_worth_it() {
+    std::vector<std::size_t> good, all;
+    for (const DeviceInfo& device : list_devices()) {
+        if (!device.unusable.empty()) continue;
+        all.push_back(device.index);
+        if (!device.software_rasteriser()) good.push_back(device.index);
+    }
+    return good.empty() ? all : good;
+}
+
 void work(Backend& backend, sweep::Share& share, const TileRunner& runner) {
     try {
         for (auto tile = share.next(); tile; tile = share.next()) {
@@ -36,18 +63,22 @@ void work(Backend& backend, sweep::Share& share, const TileRunner& runner) {
 
 }  // namespace
 
-RunOptions run_options_of_rank(const RunOptions& options, const cluster::Ranks* ranks) {
+std::vector<Machine> sweep_machines(const RunOptions& options, const Experiment& experiment, const Footprint& needed,
+                                    const cluster::Ranks* ranks) {
+    std::vector<Machine> machines;
+    if (options.device == "all") {
+        for (const std::size_t index : devices_worth_it())
+            machines.push_back(choose_machine(on_device(options, index), experiment, needed));
+        if (!machines.empty()) return machines;
+    }
     const char* variable = std::getenv("PELAGE_DEVICE");
     const bool chosen = !options.device.empty() || (variable != nullptr && *variable != '\0');
-    if (ranks == nullptr || chosen || options.backend == "reference") return options;
-    std::vector<std::size_t> cards;
-    for (const DeviceInfo& device : list_devices()) {
-        if (device.type == "gpu" && device.unusable.empty() && !device.software_rasteriser())
-            cards.push_back(device.index);
-    }
-    RunOptions own = options;
-    if (!cards.empty()) own.device = std::to_string(cards[static_cast<std::size_t>(ranks->rank_here()) % cards.size()]);
-    return own;
+    const std::vector<std::size_t> cards =
+        ranks == nullptr || chosen || options.backend == "reference" ? std::vector<std::size_t>{} : cards_here();
+    const auto rank = static_cast<std::size_t>(ranks == nullptr ? 0 : ranks->rank_here());
+    machines.push_back(
+        choose_machine(cards.empty() ? options : on_device(options, cards[rank % cards.size()]), experiment, needed));
+    return machines;
 }
 
 Crew crew(Machine& machine, const SweepOptions& options, double cells, std::size_t tiles, const cluster::Ranks* ranks) {
@@ -61,18 +92,21 @@ Crew crew(Machine& machine, const SweepOptions& options, double cells, std::size
     return {machine, options.run.precision, jobs, jobs == 1 && (here == 1 || !processor)};
 }
 
-Workers::Workers(const Crew& crew, sweep::Share& share, const TileRunner& runner) {
-    if (crew.whole_machine) {
-        threads_.emplace_back([&share, &runner, &backend = *crew.machine.backend] { work(backend, share, runner); });
-        return;
-    }
+Workers::Workers(const std::vector<Crew>& crews, sweep::Share& share, const TileRunner& runner) {
+    std::vector<Backend*> all;
     try {
-        for (std::size_t i = 0; i < crew.jobs; ++i) backends_.push_back(backend_of_one(crew.machine, crew.precision));
+        for (const Crew& crew : crews) {
+            if (crew.whole_machine) all.push_back(crew.machine.backend.get());
+            for (std::size_t i = 0; i < crew.jobs && !crew.whole_machine; ++i) {
+                backends_.push_back(backend_of_one(crew.machine, crew.precision));
+                all.push_back(backends_.back().get());
+            }
+        }
     } catch (...) {
         share.end(std::current_exception());
     }
-    for (const auto& backend : backends_)
-        threads_.emplace_back([&share, &runner, &one = *backend] { work(one, share, runner); });
+    for (Backend* const backend : all)
+        threads_.emplace_back([&share, &runner, backend] { work(*backend, share, runner); });
 }
 
 }  // namespace pelage::app

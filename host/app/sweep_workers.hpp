@@ -14,9 +14,10 @@
 
 namespace pelage::app {
 
-// The options with which a rank chooses its machine: where none is asked for, the ranks of one machine take its cards
-// in turn.
-RunOptions run_options_of_rank(const RunOptions&, const cluster::Ranks*);
+// The machines that a sweep runs on: with --device all every usable device, software rasterisers only where there is
+// nothing else. Where none is asked for, the ranks of one machine take its cards in turn. Throws Error as
+// choose_machine().
+std::vector<Machine> sweep_machines(const RunOptions&, const Experiment&, const Footprint&, const cluster::Ranks*);
 
 struct Crew {
     Machine& machine;
@@ -32,7 +33,7 @@ Crew crew(Machine&, const SweepOptions&, double cells, std::size_t tiles, const 
 // They run until the share has no further tile; what goes wrong in one ends all. The end of the object waits for them.
 class Workers {
 public:
-    Workers(const Crew&, sweep::Share&, const TileRunner&);
+    Workers(const std::vector<Crew>&, sweep::Share&, const TileRunner&);
 
 private:
     std::vector<std::unique_ptr<Backend>> backends_;

@@ -60,18 +60,20 @@ public:
         check_ranges(options_, design_, first_);
     }
 
-    // The machine of this rank; empty: it failed its self-test.
-    std::optional<Machine> choose() const {
+    // The machines of this rank; none: one failed its self-test.
+    std::vector<Machine> choose() const {
         const Footprint needed = footprint(first_, last_, options_.run.precision, false);
         check_cells(first_, needed);
-        Machine machine = choose_machine(run_options_of_rank(options_.run, ranks_), first_, needed);
-        check_host_memory(first_, needed, worked(machine), usable_memory());
-        if (!trusted(machine)) return std::nullopt;
-        return machine;
+        std::vector<Machine> machines = sweep_machines(options_.run, first_, needed, ranks_);
+        for (const Machine& machine : machines) {
+            check_host_memory(first_, needed, worked(machine), usable_memory());
+            if (!trusted(machine)) return {};
+        }
+        return machines;
     }
 
     // What the rank that has the table does.
-    int deal(Machine& machine) {
+    int deal(std::vector<Machine>& machines) {
         const Interrupt interrupt;
         const Clock::time_point start = Clock::now();
         const TileBar bar(options_.run.quiet);
@@ -82,7 +84,7 @@ public:
                 bar.show(table_.size(), design_.points.size(), spent / static_cast<double>(run));
             });
         {
-            const Workers workers(crew_of(machine), dealer, runner_);
+            const Workers workers(crews_of(machines), dealer, runner_);
             if (ranks_ != nullptr) dealer.serve(*ranks_);
         }
         bar.clear();
@@ -92,28 +94,31 @@ public:
     }
 
     // What another one does.
-    int play(Machine& machine) {
+    int play(std::vector<Machine>& machines) {
         const Interrupt interrupt;
         sweep::Player player(*ranks_);
-        { const Workers workers(crew_of(machine), player, runner_); }
+        { const Workers workers(crews_of(machines), player, runner_); }
         player.leave();
         return success;
     }
 
     // Makes the folder, or takes one that holds the same sweep. While the lock lives, no other sweep can.
-    std::unique_ptr<FolderLock> claim(const Machine& machine) {
+    std::unique_ptr<FolderLock> claim(const std::vector<Machine>& machines) {
         prepare_folder(folder_ / "tiles");
         auto lock = std::make_unique<FolderLock>(folder_);
         mark();
         table_.take_up(design_.points);
-        announce(machine);
+        announce(machines);
         return lock;
     }
 
 private:
-    Crew crew_of(Machine& machine) const {
+    std::vector<Crew> crews_of(std::vector<Machine>& machines) const {
         const double cells = footprint(first_, last_, options_.run.precision, false).cells;
-        return crew(machine, options_, cells, design_.points.size(), ranks_);
+        std::vector<Crew> crews;
+        for (Machine& machine : machines)
+            crews.push_back(crew(machine, options_, cells, design_.points.size(), ranks_));
+        return crews;
     }
 
     bool taken_up(std::size_t tile) const {
@@ -157,12 +162,13 @@ private:
                         folder_.string()));
     }
 
-    void announce(const Machine& machine) const {
+    void announce(const std::vector<Machine>& machines) const {
         if (options_.run.quiet) return;
         say(stderr, "{}: {}, {} each\n", first_.source, counted(design_.points.size(), "tile"),
             counted(last_, "iteration"));
-        say(stderr, "backend: {} ({}), {}\n", machine.kind, machine.device,
-            options_.run.precision == Precision::double_ ? "double" : "float");
+        for (const Machine& machine : machines)
+            say(stderr, "backend: {} ({}), {}\n", machine.kind, machine.device,
+                options_.run.precision == Precision::double_ ? "double" : "float");
         if (table_.size() > 0) say(stderr, "{} are there already\n", counted(table_.size(), "tile"));
     }
 
@@ -221,22 +227,22 @@ int carry_out(const SweepOptions& options, cluster::Ranks* ranks) {
     const bool deals = ranks == nullptr || ranks->rank() == 0;
     std::string text;
     std::optional<Sweep> sweep;
-    std::optional<Machine> machine;
+    std::vector<Machine> machines;
     std::unique_ptr<FolderLock> lock;
     cluster::together(ranks, [&] {
         if (deals) text = experiment_text(options.run.file);
     });
     if (ranks != nullptr) text = ranks->gather(text).front();
     cluster::together(ranks, [&] { sweep.emplace(options, text, ranks); });
-    cluster::together(ranks, [&] { machine = sweep->choose(); });
-    bool trusted = machine.has_value();
+    cluster::together(ranks, [&] { machines = sweep->choose(); });
+    bool trusted = !machines.empty();
     if (ranks != nullptr)
         trusted = std::ranges::none_of(ranks->gather(trusted ? "" : "no"), [](auto& t) { return !t.empty(); });
     if (!trusted) return failed_check;
     cluster::together(ranks, [&] {
-        if (deals) lock = sweep->claim(*machine);
+        if (deals) lock = sweep->claim(machines);
     });
-    return deals ? sweep->deal(*machine) : sweep->play(*machine);
+    return deals ? sweep->deal(machines) : sweep->play(machines);
 }
 
 }  // namespace

@@ -129,6 +129,18 @@ TEST_CASE(
     CHECK(without_times(bench.csv()) == without_times(bench.csv("whole")));
 }
 
+TEST_CASE("every device takes tiles, and the table is the reference's") {
+    const Bench bench;
+    const std::vector<std::string> words{"--vary", "K=0.05:0.07:5"};
+    REQUIRE(bench.sweep(words, "reference").exit_code == 0);
+    const Outcome outcome = command({"sweep", bench.file, "--device", "all", "--no-self-test", "--vary",
+                                     "K=0.05:0.07:5", "--out", (bench.folder / "all").string()});
+    INFO(outcome.err);
+    REQUIRE(outcome.exit_code == 0);
+    CHECK_THAT(outcome.err, Contains("backend: opencl"));
+    CHECK(without_times(bench.csv("all")) == without_times(bench.csv("reference")));
+}
+
 TEST_CASE("what tiles end in: uniform, a pattern, NaN, an unstable step; settled tiles may end early") {
     const Folder folder;
     const std::string file =
