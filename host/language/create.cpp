@@ -3,6 +3,7 @@
 #include "io/sha256.hpp"
 #include "language/shape.hpp"
 #include "language/statements.hpp"
+#include "language/vocabulary.hpp"
 
 #include <fmt/format.h>
 
@@ -105,8 +106,11 @@ void create_shape(Script& script, Cursor& cursor, const Token& at) {
     script.create(cursor, at, shape, cells);
 }
 
+constexpr std::array<std::string_view, 3> boundary_words{"no-flux", "wrap", "absorbing"};
+
 void create_matrix(Script& script, Cursor& cursor, const Token& at) {
-    static constexpr std::array<std::string_view, 4> words{"no-flux", "wrap", "absorbing", "at"};
+    static constexpr std::array<std::string_view, 4> words{boundary_words[0], boundary_words[1], boundary_words[2],
+                                                           "at"};
     static constexpr std::array boundaries{Boundary::no_flux, Boundary::wrap, Boundary::absorbing};
     CreateMatrix matrix;
     matrix.columns = parse_size(cursor, "the number of columns");
@@ -131,6 +135,8 @@ void create_matrix(Script& script, Cursor& cursor, const Token& at) {
 }
 
 }  // namespace
+
+std::vector<std::string_view> words_of_boundaries() { return {boundary_words.begin(), boundary_words.end()}; }
 
 void parse_create(Script& script, Cursor& cursor) {
     static constexpr std::array<std::string_view, 7> words{"sqr_grid", "sqr_circle", "hex_grid", "hex_circle",

@@ -1,6 +1,7 @@
 // define chemical | chemicals | parameter | field | division_limit | domain | time_step | stencil
 #include "language/picture.hpp"
 #include "language/statements.hpp"
+#include "language/vocabulary.hpp"
 
 #include <fmt/format.h>
 
@@ -148,11 +149,12 @@ StencilWeights parse_weights(Cursor& cursor) {
     return weights;
 }
 
+constexpr std::array<std::string_view, 5> stencil_words{"moore", "nine-point", "five-point", "sims", "3x3"};
+
 void parse_stencil(Script& script, Cursor& cursor, const Token& word) {
-    static constexpr std::array<std::string_view, 5> words{"moore", "nine-point", "five-point", "sims", "3x3"};
     static constexpr std::array stencils{Stencil::moore, Stencil::nine_point, Stencil::five_point, Stencil::sims,
                                          Stencil::own};
-    script.experiment.stencil = stencils[cursor.choose(words)];
+    script.experiment.stencil = stencils[cursor.choose(stencil_words)];
     if (script.experiment.stencil == Stencil::own) script.experiment.weights = parse_weights(cursor);
     script.needs_matrix(cursor, word);
 }
@@ -168,6 +170,8 @@ void parse_time_step(Script& script, Cursor& cursor) {
 }
 
 }  // namespace
+
+std::vector<std::string_view> words_of_stencils() { return {stencil_words.begin(), stencil_words.end()}; }
 
 void parse_define(Script& script, Cursor& cursor) {
     static constexpr std::array<std::string_view, 8> words{"chemical", "time_step", "division_limit", "domain",

@@ -173,6 +173,12 @@ std::vector<std::string_view> words_of_quantities() {
     return texts;
 }
 
+std::vector<std::string_view> words_of_chemicals() {
+    std::vector<std::string_view> texts;
+    for (const QuantityWord& word : of_chemicals) texts.push_back(word.text);
+    return texts;
+}
+
 Operand parse_operand(Script& script, Cursor& cursor, std::string_view what) {
     static constexpr std::array<std::string_view, 2> targets{"conc", "diff"};
     const Token& token = cursor.peek();

@@ -14,7 +14,7 @@ namespace pelage::verify {
 namespace {
 
 std::vector<Factor> lattice_worlds() {
-    return {{"stencil", {"nine-point", "moore", "five-point", "sims", "published"}},
+    return {{"stencil", {"nine-point", "moore", "five-point", "sims", "3x3", "published"}},
             {"boundary", {"no-flux", "wrap", "absorbing"}},
             {"path", {"step", "shared", "streamed", "tiled"}},
             {"width", {"1", "own", "other"}},
@@ -51,7 +51,7 @@ std::vector<Factor> cell_worlds() {
 std::vector<std::string> quantity_levels(Realm realm, const char* first) {
     std::vector<std::string> words{first, "number", "conc",      "diff",      "mapping", "X",    "Y",
                                    "AGE", "BIRTH",  "ITERATION", "NEIGHBORS", "RANDOM",  "TIME", "expression"};
-    if (realm == Realm::lattice) words.insert(words.end(), {"ROW", "COLUMN", "ROWS", "COLUMNS"});
+    if (realm == Realm::lattice) words.insert(words.end(), {"ROW", "COLUMN", "ROWS", "COLUMNS", "around"});
     return words;
 }
 
@@ -213,8 +213,8 @@ std::vector<GeneratedWorld> deal_rules(Realm realm, std::size_t strength) {
     return made;
 }
 
-// Among the first 400 these draws deal pairs into the worlds whose programs are compiled soonest.
-std::uint64_t draw_of(Realm realm) { return realm == Realm::lattice ? 63 : 338; }
+// Among the first 800 these draws deal pairs into the worlds whose programs are compiled soonest.
+std::uint64_t draw_of(Realm realm) { return realm == Realm::lattice ? 240 : 338; }
 
 }  // namespace
 
@@ -245,6 +245,22 @@ const std::string& Values::operator[](std::string_view factor) const {
     throw std::out_of_range("no factor is named " + std::string(factor));
 }
 
+namespace {
+
+// Of triples those of factors that have few values together; elsewhere pairs must do.
+constexpr std::size_t most_triples_of_factors = 600;
+
+std::function<bool(const std::vector<std::size_t>&)> wanted_sets(Realm realm, std::size_t strength) {
+    if (strength == 2) return {};
+    return [realm](const std::vector<std::size_t>& set) {
+        std::size_t tuples = 1;
+        for (const std::size_t factor : set) tuples *= factors_of(realm)[factor].values.size();
+        return tuples <= most_triples_of_factors;
+    };
+}
+
+}  // namespace
+
 Array world_array(Realm realm, std::size_t strength) {
     const std::vector<Factor>& all = factors_of(realm);
     const auto count = static_cast<std::ptrdiff_t>(world_factors(realm));
@@ -252,6 +268,7 @@ Array world_array(Realm realm, std::size_t strength) {
             strength,
             [&may = table(realm, strength)](const Choice& a, const Choice& b) { return may.may(a, b); },
             {},
+            wanted_sets(realm, strength),
             {},
             draw_of(realm)};
 }
@@ -259,7 +276,7 @@ Array world_array(Realm realm, std::size_t strength) {
 Array rule_array(Realm realm, std::size_t strength) {
     Array array{factors_of(realm), strength,
                 [&may = table(realm, strength)](const Choice& a, const Choice& b) { return may.may(a, b); },
-                worlds(realm, strength).rows};
+                worlds(realm, strength).rows, wanted_sets(realm, strength)};
     for (const ArrayRow& world : array.given) array.costs.push_back(cost({realm, world}));
     return array;
 }

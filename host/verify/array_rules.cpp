@@ -73,7 +73,7 @@ private:
         if (what == "BIRTH") return std::max(0.0, start - 6);
         if (what == "ITERATION") return start + 4;
         if (what == "TIME") return 0.05 * start + 0.2;
-        if (what == "expression") return 0.75;
+        if (what == "expression" || what == "around") return 0.75;
         if (what == "NEIGHBORS") return lattice() ? 3 : 5;
         return 0.5;
     }
@@ -86,6 +86,7 @@ private:
         if (what == "mapping") return "M";
         if (what == "number") return number(0.375);
         if (what == "expression") return expression();
+        if (what == "around") return around();
         return what;
     }
 
@@ -101,16 +102,20 @@ private:
 
     // Between 0.25 and 2: a function of what changes, and of what belongs to the place, and a choice.
     std::string expression() const {
-        const FunctionFacts& function = function_table()[(nth_ + case_.made->number) % function_table().size()];
+        const FunctionFacts& function =
+            function_table()[(26 * nth_ + 5 * case_.made->number) % function_table().size()];
         const char* const arguments[] = {"Q", "(2 - ramp)", "(G + 1)"};
         std::string call = function.name + "(";
         for (std::size_t i = 0; i < function.parameters.size(); ++i)
             call += fmt::format("{}{}", i == 0 ? "" : ", ", arguments[(nth_ + i) % 3]);
-        const char* const around = !lattice()      ? "0.1 * cos(X + TIME)"
-                                   : nth_ % 3 == 0 ? "laplacian(Q)"
-                                   : nth_ % 3 == 1 ? "(gradient_x(Q) - gradient_y(G))"
-                                                   : "0.1 * sin(X * Y) * ramp";
-        return fmt::format("(min(1.25, max(0.25, {} + {})) + {})", call + ")", around, choice());  // NaN gives 0.25
+        const char* const others[] = {"0.1 * cos(X + TIME)", "(Q - previous(Q))", "0.1 * sin(X * Y) * ramp"};
+        const char* const other = others[nth_ % 3];
+        return fmt::format("(min(1.25, max(0.25, {} + {})) + {})", call + ")", other, choice());  // NaN gives 0.25
+    }
+
+    // Between 0.25 and 1.25: all that looks at neighbours, at once.
+    std::string around() const {
+        return "(min(1.25, max(0.25, 0.75 + 0.05 * laplacian(Q) + 0.125 * gradient_x(Q) - 0.25 * gradient_y(B))))";
     }
 
     // In comparisons concentrations are those of G, which are few numbers.
@@ -121,13 +126,15 @@ private:
         struct Pair {
             std::string_view what, alike, other;
         };
-        constexpr Pair pairs[] = {
-            {"conc", "M", "AGE"},           {"diff", "M", "NEIGHBORS"},  {"mapping", "G conc", "AGE"},
-            {"X", "Y", "ITERATION"},        {"Y", "X", "NEIGHBORS"},     {"AGE", "BIRTH", "Q conc"},
-            {"BIRTH", "AGE", "X"},          {"ROW", "COLUMN", "Q conc"}, {"COLUMN", "ROW", "Y"},
-            {"ROWS", "COLUMNS", "G conc"},  {"COLUMNS", "ROWS", "M"},    {"number", "AGE", "G conc"},
-            {"NEIGHBORS", "AGE", "M"},      {"ITERATION", "BIRTH", "X"}, {"TIME", "X", "ITERATION"},
-            {"expression", "Q conc", "AGE"}};
+        constexpr Pair pairs[] = {{"conc", "M", "AGE"},         {"diff", "M", "NEIGHBORS"},
+                                  {"mapping", "G conc", "AGE"}, {"X", "Y", "ITERATION"},
+                                  {"Y", "X", "NEIGHBORS"},      {"AGE", "BIRTH", "Q conc"},
+                                  {"BIRTH", "AGE", "X"},        {"ROW", "COLUMN", "Q conc"},
+                                  {"COLUMN", "ROW", "Y"},       {"ROWS", "COLUMNS", "G conc"},
+                                  {"COLUMNS", "ROWS", "M"},     {"number", "AGE", "G conc"},
+                                  {"NEIGHBORS", "AGE", "M"},    {"ITERATION", "BIRTH", "X"},
+                                  {"TIME", "X", "ITERATION"},   {"expression", "Q conc", "AGE"},
+                                  {"around", "Q conc", "AGE"}};
         for (const Pair& pair : pairs) {
             if (pair.what == what) return alike ? pair.alike : pair.other;
         }

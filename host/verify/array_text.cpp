@@ -58,7 +58,10 @@ private:
                        : "define field ramp (0.5 + 0.01 * X)");
         line("define field slope (0.5 + 0.25 * cos(0.9 * Y))");
         if (lattice()) {
-            if (world_["stencil"] != "published") line("define stencil " + world_["stencil"]);
+            const std::string& stencil = world_["stencil"];
+            // No two weights are alike, so that none can stand for another.
+            const char* const weights = " 0.125 0.5 -0.0625 0.75 -2.75 0.375 0.1875 0.625 0.25";
+            if (stencil != "published") line("define stencil " + stencil + (stencil == "3x3" ? weights : ""));
             return;
         }
         if (world_["limit"] != "none") line("define division_limit " + world_["limit"]);

@@ -19,7 +19,8 @@ class Tuples {
 public:
     explicit Tuples(const Array& array) : factors_(array.factors) {
         std::vector<std::size_t> set(array.strength);
-        fill(set, 0, 0);
+        with_.resize(factors_.size());
+        fill(set, 0, 0, array.wanted);
         for (const auto& of_set : sets_) met_.emplace_back(count(of_set), false);
     }
 
@@ -74,16 +75,17 @@ private:
         return product;
     }
 
-    void fill(std::vector<std::size_t>& set, std::size_t place, std::size_t from) {
-        with_.resize(factors_.size());
+    void fill(std::vector<std::size_t>& set, std::size_t place, std::size_t from,
+              const std::function<bool(const std::vector<std::size_t>&)>& wanted) {
         if (place == set.size()) {
+            if (wanted && !wanted(set)) return;
             for (const std::size_t factor : set) with_[factor].push_back(sets_.size());
             sets_.push_back(set);
             return;
         }
         for (std::size_t factor = from; factor < factors_.size(); ++factor) {
             set[place] = factor;
-            fill(set, place + 1, factor + 1);
+            fill(set, place + 1, factor + 1, wanted);
         }
     }
 

@@ -28,6 +28,8 @@ struct Array {
     std::function<bool(const Choice&, const Choice&)> feasible;
     // Not empty: values of the first factors are those of one of these rows, whose own tuples count as met already.
     std::vector<ArrayRow> given = {};
+    // Which sets of factors are to have all their tuples; empty: every set.
+    std::function<bool(const std::vector<std::size_t>&)> wanted = {};
     std::vector<std::size_t> costs = {};  // of each given one: rows begin with those that add most for what they cost
     std::uint64_t draw =
         0;  // not 0: factors take their values in an order drawn with this seed, which may need fewer rows

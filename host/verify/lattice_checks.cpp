@@ -50,8 +50,7 @@ constexpr std::array<std::string_view, 24> quick_cases{"rules/whole-numbers/fuse
                                                        "sizes/many-rows"};
 // Of these also with a second work-group size, and on the other paths.
 constexpr std::array<std::string_view, 2> quick_groups{"diffusion/nine-point/no-flux", "diffusion/published/open"};
-constexpr std::array<std::string_view, 3> quick_streamed{"rules/draws/fused", "growth/plain/no-flux",
-                                                         "diffusion/own-weights/no-flux"};
+constexpr std::array<std::string_view, 2> quick_streamed{"rules/draws/fused", "growth/plain/no-flux"};
 constexpr std::array<std::string_view, 3> quick_shared{"diffusion/nine-point/wrap", "rates/uneven/published/open",
                                                        "growth/plain/no-flux"};
 constexpr std::array<std::string_view, 2> quick_tiled{"diffusion/nine-point/no-flux",

@@ -32,9 +32,21 @@ import time
 from faults import FAULTS
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
-EMITTERS = ["host/opencl/lattice/emit_*.cpp", "host/opencl/rules/*.cpp", "host/opencl/cells/source.cpp"]
+EMITTERS = ["host/opencl/lattice/emit_*.cpp", "host/opencl/lattice/traits.cpp", "host/opencl/lattice/passing.cpp",
+            "host/opencl/rules/*.cpp", "host/opencl/cells/source.cpp", "host/core/evaluate.cpp"]
 NOT_VERIFIED = ["kernels/common/yardstick.cl"]  # belongs to the benchmarks
-LIMIT = 90  # seconds that one check may take
+# Where a fault in a file most likely shows: the beginnings of names of checks that are tried before all others.
+LIKELY = [("kernels/functions/", ["functions/"]), ("kernels/models/", ["reaction/", "saturation/"]),
+          ("kernels/common/sort", ["sort/", "scan/"]), ("kernels/common/scan", ["scan/", "sort/"]),
+          ("kernels/rules/philox", ["random/"]), ("kernels/rules/neural", ["neural/"]),
+          ("kernels/rules/", ["reaction/"]), ("kernels/neighbours/gather", ["gather/"]),
+          ("kernels/neighbours/", ["sort/", "neighbours/"]), ("kernels/cells/together", ["pairs/cells/"]),
+          ("kernels/cells/", ["cells/", "pairs/cells/"]), ("kernels/lattice/tile", ["tiled/"]),
+          ("kernels/lattice/stream", ["streamed/"]), ("kernels/lattice/margins", ["streamed/", "tiled/"]),
+          ("kernels/lattice/together", ["shared/"]), ("kernels/lattice/expand", ["growth/"]),
+          ("kernels/lattice/resample", ["growth/"]), ("kernels/lattice/", ["rates/", "diffusion/"]),
+          ("host/opencl/cells/", ["pairs/cells/"]), ("host/opencl/lattice/emit_fused", ["pairs/lattice/1", "streamed/"]),
+          ("host/", ["pairs/lattice/2", "rules/"])]
 
 # ---- the operators: each yields (start, end, text instead) in one line of code
 
@@ -219,7 +231,8 @@ def plant(root, fault):
 class Worker:
     """A child that answers names of checks, as `pelage verify` itself has them."""
 
-    def __init__(self, program, form, surroundings, evidence):
+    def __init__(self, program, form, surroundings, evidence, limit):
+        self.limit = limit
         self.child = subprocess.Popen([program, "verify", "--worker", "--device", "0", "--seed", "1", f"--{form}",
                                        "--evidence", evidence], stdin=subprocess.PIPE, stdout=subprocess.PIPE,
                                       stderr=subprocess.DEVNULL, env=surroundings, start_new_session=True)
@@ -232,7 +245,7 @@ class Worker:
             self.child.stdin.flush()
         except BrokenPipeError:
             return None
-        end = time.monotonic() + LIMIT
+        end = time.monotonic() + self.limit
         while True:
             while b"\n" in self.heard:
                 line, self.heard = self.heard.split(b"\n", 1)
@@ -265,7 +278,7 @@ def in_order(program, form):
     return [name for _, _, name in sorted(turns)]
 
 
-def judge(program, names, form, surroundings, workers):
+def judge(program, names, form, surroundings, workers, limit):
     """(verdict, name of the check that was first, what it said)"""
     waiting = queue.Queue()
     for name in names:
@@ -275,7 +288,7 @@ def judge(program, names, form, surroundings, workers):
     evidence = surroundings["PELAGE_CACHE"] + "/evidence"
 
     def work():
-        worker = Worker(program, form, surroundings, evidence)
+        worker = Worker(program, form, surroundings, evidence, limit)
         while not over.is_set():
             try:
                 name = waiting.get_nowait()
@@ -283,7 +296,7 @@ def judge(program, names, form, surroundings, workers):
                 break
             result = worker.ask(name)
             if result is None or result == "late":
-                found.append(("late", name, f"did not end within {LIMIT} s") if result else ("killed", name, "crashed"))
+                found.append(("late", name, f"did not end within {limit} s") if result else ("killed", name, "crashed"))
                 over.set()
             elif result["verdict"] in ("failed", "mistrusted"):
                 broken = "could not build a program" in result["message"]
@@ -307,6 +320,7 @@ class Bench:
     def __init__(self, chosen):
         self.form = chosen.form
         self.workers = chosen.workers
+        self.limit = chosen.limit
         self.caught = {}  # by file: names of the checks that caught a fault in it, and how many each
         self.work = chosen.work.resolve()
         self.work.mkdir(parents=True, exist_ok=True)
@@ -317,7 +331,7 @@ class Bench:
                                  POCL_CACHE_DIR=str(self.work / "pocl-cache"))
 
     def healthy(self):
-        return judge(self.program, self.names, self.form, self.surroundings, self.workers)
+        return judge(self.program, self.names, self.form, self.surroundings, self.workers, self.limit)
 
     def learn(self, fault, verdict, name):
         if verdict != "killed":
@@ -326,11 +340,13 @@ class Bench:
         counts[name] = counts.get(name, 0) + 1
 
     def likely_first(self, fault):
-        """Names of checks: first what caught this fault before, then what caught most in the same file."""
+        """Names of checks: first what caught this fault before, then what caught most in the same file, then LIKELY."""
         counts = self.caught.get(fault["file"], {})
         known = [name for name in [fault.get("by", "")] if name in self.names]
         known += sorted((name for name in counts if name in self.names), key=lambda name: -counts[name])
-        return list(dict.fromkeys(known + self.names))
+        beginnings = next((names for path, names in LIKELY if fault["file"].startswith(path)), [])
+        likely = [name for name in self.names if name.startswith(tuple(beginnings))]
+        return list(dict.fromkeys(known + likely + self.names))
 
     def try_one(self, fault):
         text = plant(ROOT, fault)
@@ -346,7 +362,7 @@ class Bench:
         shutil.copytree(ROOT / "kernels", folder)
         (self.work / fault["file"]).write_text(text)
         return judge(self.program, self.likely_first(fault), self.form,
-                     dict(self.surroundings, PELAGE_KERNELS=str(folder)), self.workers)
+                     dict(self.surroundings, PELAGE_KERNELS=str(folder)), self.workers, self.limit)
 
     def try_emitter(self, fault, text):
         tree = self.tree or self.copied_tree()
@@ -357,7 +373,7 @@ class Bench:
             if not self.build(tree):
                 return "stillborn", "", "does not compile"
             return judge(str(self.built(tree) / "pelage"), self.likely_first(fault), self.form, self.surroundings,
-                         self.workers)
+                         self.workers, self.limit)
         finally:
             path.write_text(healthy)
 
@@ -421,6 +437,7 @@ def main():
     options.add_argument("--results", type=pathlib.Path, help="default: operators.json in the folder --work")
     options.add_argument("--replay", type=pathlib.Path, help="plant the faults of this file of results again")
     options.add_argument("--workers", type=int, default=2, help="processes at once (default 2)")
+    options.add_argument("--limit", type=float, default=90, help="seconds that one check may take (default 90)")
     options.add_argument("--named", action="store_true", help="the faults of faults.py")
     options.add_argument("--summary", action="store_true", help="print what the results say and plant nothing")
     chosen = options.parse_args()

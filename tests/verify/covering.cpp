@@ -1,10 +1,12 @@
 // The generated table of cases: all pairs of values meet, and no word of the program is left out.
 #include "verify/covering.hpp"
 
+#include "core/functions.hpp"
 #include "core/models.hpp"
 #include "core/prepattern.hpp"
 #include "language/parse.hpp"
 #include "language/vocabulary.hpp"
+#include "opencl/device/options.hpp"
 #include "reference/backend.hpp"
 #include "verify/array_factors.hpp"
 #include "verify/array_text.hpp"
@@ -126,10 +128,28 @@ TEST_CASE("every action, quantity, condition, model, stencil and boundary is a v
         INFO(word);
         CHECK((word == "if" || values_of("condition").contains(std::string(word))));
     }
-    for (const Stencil stencil : {Stencil::moore, Stencil::nine_point, Stencil::five_point, Stencil::sims})
-        CHECK(values_of("stencil").contains(word(stencil)));
-    for (const Boundary boundary : {Boundary::no_flux, Boundary::wrap, Boundary::absorbing})
-        CHECK(values_of("boundary").contains(word(boundary)));
+    for (const std::string_view word : language::words_of_stencils())
+        CHECK(values_of("stencil").contains(std::string(word)));
+    for (const std::string_view word : language::words_of_boundaries())
+        CHECK(values_of("boundary").contains(std::string(word)));
+    for (const char* const path : path_words)
+        CHECK((values_of("path").contains(path) || path == word(Path::automatic)));
+}
+
+TEST_CASE("every function, and every word that takes a chemical, is in some generated expression") {
+    std::string all;
+    for (const Realm realm : {Realm::lattice, Realm::cells}) {
+        for (const GeneratedWorld& world : generated_worlds(realm, 2)) all += generated_text({&world, realm, {17, 11}});
+    }
+    for (const std::string_view word : language::words_of_chemicals()) {
+        INFO(word);
+        const std::string name(word);
+        CHECK((all.find(name + "(") != std::string::npos || all.find(" " + name + " ") != std::string::npos));
+    }
+    for (const FunctionFacts& function : function_table()) {
+        INFO(function.name);
+        CHECK(all.find(function.name + "(") != std::string::npos);
+    }
 }
 
 TEST_CASE("generated experiments are of the language, and most of their rules change what comes out") {
