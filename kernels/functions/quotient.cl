@@ -13,6 +13,20 @@ static inline real pelage_reciprocal(real d) {
 }
 
 // n / d for positive d between 2^-60 and 2^60.
+// The same with a step less where float needs none more.
+static inline real pelage_quick_reciprocal(real d) {
+    real y = AS_NUMBER(WORD(0x7ef311c7u, 0x7fde6238da3c2118ul) - AS_BITS(d));
+    real e = fma(-d, y, R(1));
+    y = fma(y, fma(e, e, e), y);
+    e = fma(-d, y, R(1));
+    y = fma(y, fma(e, e, e), y);
+#ifdef PELAGE_DOUBLE
+    e = fma(-d, y, R(1));
+    y = fma(y, fma(e, e, e), y);
+#endif
+    return y;
+}
+
 static inline struct pelage_pair pelage_quotient(struct pelage_pair n, struct pelage_pair d) {
     const real y = pelage_reciprocal(d.high);
     struct pelage_pair q;

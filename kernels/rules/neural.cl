@@ -1,6 +1,6 @@
 // A neural reaction, see core/neural.hpp. The weights stand one block of hidden values after the other: for each block its
 // biases, then its weights chemical by chemical, then those with which it adds to the sums, again chemical by chemical.
-// Needs functions/sigmoid.cl.
+// Needs functions/quick_sigmoid.cl.
 
 #define PELAGE_BLOCK_OF_HIDDEN 8
 
@@ -25,7 +25,7 @@ PELAGE_NETWORK void pelage_network(const int chemicals, const int hidden, global
             w += PELAGE_BLOCK_OF_HIDDEN;
         }
 #pragma unroll
-        for (int k = 0; k < PELAGE_BLOCK_OF_HIDDEN; ++k) z[k] = z[k] * pelage_sigmoid(R(5) * z[k]);
+        for (int k = 0; k < PELAGE_BLOCK_OF_HIDDEN; ++k) z[k] = z[k] * pelage_quick_sigmoid(R(5) * z[k]);
 #pragma unroll 4
         for (int i = 0; i < chemicals; ++i) {
             real sum = f[i];

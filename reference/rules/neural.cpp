@@ -2,7 +2,7 @@
 #include "reference/rules/neural.hpp"
 
 #include "core/subnormal.hpp"
-#include "reference/functions/sigmoid.hpp"
+#include "reference/functions/quick_sigmoid.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -54,7 +54,7 @@ PELAGE_INLINE void ask_cells(const Weights<T>& w, const std::vector<const T*>& x
         std::fill(sums.begin(), sums.end(), T(0));
         for (std::size_t h = 0; h < w.hidden; ++h) {
             const T z = hidden[h];
-            const T a = z * functions::sigmoid(T(5) * z);
+            const T a = z * functions::quick_sigmoid(T(5) * z);
             add_row(w.chemicals, a, w.second.data() + h * w.chemicals, sums.data());
         }
         for (std::size_t i = 0; i < w.chemicals; ++i) f[i][cell] = sums[i];

@@ -1,6 +1,7 @@
 // Elementary functions of the reference: how far they are from the true values, and their special values.
 #include "core/functions.hpp"
 #include "core/subnormal.hpp"
+#include "reference/functions/quick_sigmoid.hpp"
 #include "reference/rules/functions.hpp"
 #include "support/function_errors.hpp"
 #include "verify/arguments.hpp"
@@ -153,6 +154,27 @@ TEST_CASE("functions do not depend on what the processor does with subnormal num
             CHECK(flushing[i] == keeping[i]);
         }
     }
+}
+
+TEST_CASE("the networks' quick sigmoid is within 4 units of the last place from -40 upward") {
+    double worst_single = 0, worst_double = 0;
+    for (int i = -400'000; i <= 400'000; ++i) {
+        const float x = static_cast<float>(i) * 1.0e-4f;
+        const long double single = 1 / (1 + std::exp(-static_cast<long double>(x)));
+        const double ulp = std::nextafter(static_cast<float>(single), 2.0f) - static_cast<float>(single);
+        worst_single = std::max(worst_single,
+                                static_cast<double>(std::abs(reference::functions::quick_sigmoid(x) - single)) / ulp);
+        const double twice = static_cast<double>(i) * 1.0e-4;
+        const long double wide = 1 / (1 + std::exp(-static_cast<long double>(twice)));
+        const double fine = std::nextafter(static_cast<double>(wide), 2.0) - static_cast<double>(wide);
+        worst_double = std::max(
+            worst_double, static_cast<double>(std::abs(reference::functions::quick_sigmoid(twice) - wide)) / fine);
+    }
+    CHECK(worst_single < 4);
+    CHECK(worst_double < 4);
+    CHECK(worst_single > 0.5);
+    CHECK(reference::functions::quick_sigmoid(-1.0e30f) < 5e-18f);
+    CHECK(reference::functions::quick_sigmoid(1.0e30f) == 1.0f);
 }
 
 TEST_CASE("special values are those of C") {

@@ -177,7 +177,6 @@ private:
 
     void act(const Neural& neural) {
         out_.use.neural = true;
-        out_.use.functions.insert(function_named("sigmoid").value());
         out_.use.concentrations_written.insert(neural.species.begin(), neural.species.end());
         const std::string rate = operands_.text(neural.rate);
         const std::string diffusion = operands_.text(neural.diffusion);
@@ -331,7 +330,8 @@ std::vector<KernelNumber> rule_parameters(const Experiment& experiment, Precisio
 }
 
 std::vector<std::string> rule_files(const RuleUse& use) {
-    std::vector<std::string> files = function_files(use.functions);
+    std::vector<std::string> files = function_files(
+        use.functions, use.neural ? std::vector<std::string>{"quick_sigmoid"} : std::vector<std::string>{});
     files.emplace_back("rules/reaction.cl");
     if (use.neural) files.emplace_back("rules/neural.cl");
     for (const std::size_t model : use.reacts) files.push_back("models/" + kernel_name(Model{model}) + ".cl");

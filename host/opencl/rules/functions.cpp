@@ -27,10 +27,11 @@ void add_file(const FunctionFacts& facts, std::set<std::string>& met, std::vecto
 
 }  // namespace
 
-std::vector<std::string> function_files(const std::set<std::size_t>& used) {
+std::vector<std::string> function_files(const std::set<std::size_t>& used, const std::vector<std::string>& parts) {
     std::set<std::string> met;
     std::vector<std::string> files;
     for (const std::size_t index : used) add_file(function_table().at(index), met, files);
+    for (const std::string& part : parts) add_file(facts_of(part), met, files);
     return files;
 }
 
