@@ -5,13 +5,9 @@
 #include "core/visit.hpp"
 
 #include <algorithm>
-#include <optional>
 
 namespace pelage {
 
-namespace {
-
-// The event that a rule is; empty for those that act within iterations.
 std::optional<Event> event_of(const Rule& rule, std::size_t place) {
     using Made = std::optional<Event>;
     return std::visit(Overloaded{
@@ -31,10 +27,6 @@ std::optional<Event> event_of(const Rule& rule, std::size_t place) {
                       },
                       rule.action);
 }
-
-}  // namespace
-
-bool is_event(const Rule& rule) { return event_of(rule, 0).has_value(); }
 
 std::vector<Event> events_before(const Experiment& experiment, std::uint64_t iteration) {
     std::vector<Event> events;

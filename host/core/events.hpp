@@ -5,6 +5,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <variant>
 #include <vector>
 
@@ -21,8 +22,10 @@ struct Expansion {  // a lattice takes in columns and rows
 
 using Event = std::variant<NewPhase, Expansion>;
 
-// Whether a rule acts between iterations, as an event, and not within them.
-bool is_event(const Rule&);
+// The event that the rule at this place is; empty for those that act within iterations.
+std::optional<Event> event_of(const Rule&, std::size_t place);
+
+inline bool is_event(const Rule& rule) { return event_of(rule, 0).has_value(); }
 
 // Those that come before iteration `iteration` is carried out: the phase first, then rules in their order. They point
 // into the experiment.

@@ -29,11 +29,13 @@ std::optional<LatticeSize> final_size(const Experiment& experiment, std::uint64_
     if (matrix == experiment.prepattern.end()) return {};
     auto columns = static_cast<double>(std::get<CreateMatrix>(*matrix).columns);
     auto rows = static_cast<double>(std::get<CreateMatrix>(*matrix).rows);
-    for (const Rule& rule : experiment.rules) {
-        const auto* growth = std::get_if<Expand>(&rule.action);
-        if (growth == nullptr) continue;
-        columns += activations(rule, last) * static_cast<double>(growth->columns);
-        rows += activations(rule, last) * static_cast<double>(growth->rows);
+    for (std::size_t place = 0; place < experiment.rules.size(); ++place) {
+        const Rule& rule = experiment.rules[place];
+        const std::optional<Event> event = event_of(rule, place);
+        const auto* expansion = event ? std::get_if<Expansion>(&*event) : nullptr;
+        if (expansion == nullptr) continue;
+        columns += activations(rule, last) * static_cast<double>(expansion->growth->columns);
+        rows += activations(rule, last) * static_cast<double>(expansion->growth->rows);
     }
     return LatticeSize{columns, rows};
 }

@@ -2,6 +2,7 @@
 #include "language/expression.hpp"
 #include "language/lints.hpp"
 #include "language/pieces.hpp"
+#include "language/previous.hpp"
 
 #include <fmt/format.h>
 
@@ -147,10 +148,10 @@ bool equal(const Output& one, const Output& other) {
 void find_unused_chemicals(const Sheet& sheet, Reporter& report) {
     const Uses uses(sheet.experiment);
     for (std::size_t i = 0; i < sheet.experiment.chemicals.size(); ++i) {
-        const std::string& name = sheet.experiment.chemicals[i].name;
-        if (name.ends_with(')') || uses.chemicals.count(i) > 0) continue;  // the first: what previous() keeps
-        report(sheet.place(sheet.outline.chemicals[i], name),
-               fmt::format("no rule and no output names chemical '{}'", name));
+        const Chemical& chemical = sheet.experiment.chemicals[i];
+        if (keeps_previous(chemical) || uses.chemicals.count(i) > 0) continue;
+        report(sheet.place(sheet.outline.chemicals[i], chemical.name),
+               fmt::format("no rule and no output names chemical '{}'", chemical.name));
     }
 }
 

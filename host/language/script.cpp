@@ -1,6 +1,8 @@
 // See script.hpp.
 #include "language/script.hpp"
 
+#include "language/previous.hpp"
+
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -46,7 +48,7 @@ std::optional<std::size_t> Script::find_field(std::string_view name) const {
 std::vector<std::string_view> Script::chemical_names() const {
     std::vector<std::string_view> names;
     for (const Chemical& one : experiment.chemicals) {
-        if (!one.name.ends_with(')')) names.push_back(one.name);  // what previous() keeps has no name of the user's
+        if (!keeps_previous(one)) names.push_back(one.name);
     }
     return names;
 }
