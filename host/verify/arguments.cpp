@@ -11,8 +11,9 @@ namespace pelage::verify {
 
 namespace {
 
+// These and `more`, what lies beside each of them, and all of that with the other sign.
 template <class T>
-std::vector<T> special_numbers() {
+std::vector<T> special_numbers(const std::vector<double>& more) {
     using Limits = std::numeric_limits<T>;
     std::vector<T> numbers{T(0),
                            Limits::min(),
@@ -46,6 +47,7 @@ std::vector<T> special_numbers() {
                            T(1e5),
                            T(1e9),
                            T(16777216)};
+    for (const double number : more) numbers.push_back(static_cast<T>(number));
     const std::size_t count = numbers.size();
     for (std::size_t i = 0; i < count; ++i) {
         for (const T end : {Limits::infinity(), -Limits::infinity()})
@@ -69,8 +71,9 @@ T drawn_number(std::mt19937_64& engine, const std::vector<T>& special) {
 }  // namespace
 
 template <class T>
-Arguments<T> drawn_arguments(std::size_t parameters, std::size_t count, std::uint64_t seed, bool narrow) {
-    const std::vector<T> special = special_numbers<T>();
+Arguments<T> drawn_arguments(std::size_t parameters, std::size_t count, std::uint64_t seed, bool narrow,
+                             const std::vector<double>& more) {
+    const std::vector<T> special = special_numbers<T>(more);
     std::mt19937_64 engine(seed);
     Arguments<T> arguments;
     for (std::size_t place = 0; place < arguments.size(); ++place) {
@@ -87,7 +90,7 @@ Arguments<T> drawn_arguments(std::size_t parameters, std::size_t count, std::uin
     return arguments;
 }
 
-template Arguments<float> drawn_arguments(std::size_t, std::size_t, std::uint64_t, bool);
-template Arguments<double> drawn_arguments(std::size_t, std::size_t, std::uint64_t, bool);
+template Arguments<float> drawn_arguments(std::size_t, std::size_t, std::uint64_t, bool, const std::vector<double>&);
+template Arguments<double> drawn_arguments(std::size_t, std::size_t, std::uint64_t, bool, const std::vector<double>&);
 
 }  // namespace pelage::verify

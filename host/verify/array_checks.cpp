@@ -160,7 +160,7 @@ std::string kernel_of(const Values& world) {
 
 std::vector<Check> array_checks() {
     std::vector<Check> checks;
-    for (const std::size_t strength : {pairs}) {
+    for (const std::size_t strength : {pairs, triples}) {
         for (const Realm realm : {Realm::lattice, Realm::cells}) {
             for (std::size_t nth = 0; nth < world_count(realm, strength); ++nth) {
                 const ArrayRow& row = world_row(realm, strength, nth);

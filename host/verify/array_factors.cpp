@@ -89,6 +89,8 @@ constexpr std::array exclusions{
     // Lattices of many cells are few and plain, or they would take long.
     Exclusion{"sizes", "|many|", "chemicals", "|twenty|"},
     Exclusion{"sizes", "|many|", "growth", "!|none|"},
+    // They differ from others in weights alone, which single steps go through, and the longest programs do not change.
+    Exclusion{"path", "|streamed|tiled|", "stencil", "|moore|sims|"},
     // Where no rule comes or goes there is one program for those that act, and many iterations are one launch.
     Exclusion{"intervals", "|compiled|", "when", "!|always|"},
     Exclusion{"intervals", "|compiled|", "phases", "|three|"},  // so that rules of phases meet all settings
@@ -120,7 +122,6 @@ constexpr std::array left_to_triples{
               "!|nothing|number|conc|AGE|RANDOM|"},
     // What one work-item does alone hides that others must wait.
     Exclusion{"path", "|streamed|tiled|", "group", "|one|"},
-    Exclusion{"path", "|streamed|tiled|", "stencil", "|moore|sims|"},
     Exclusion{"stencil", "|moore|sims|", "rates", "|uneven|directed|"},
     Exclusion{"path", "|streamed|tiled|", "chemicals", "|twenty|"},
     Exclusion{"path", "|streamed|tiled|", "precision", "|double|"},
@@ -247,15 +248,18 @@ const std::string& Values::operator[](std::string_view factor) const {
 
 namespace {
 
-// Of triples those of factors that have few values together; elsewhere pairs must do.
-constexpr std::size_t most_triples_of_factors = 600;
+// Of triples those of settings of the world, and those of parts of a rule that have few values together. What a rule
+// has to do with its world is in the pairs.
+constexpr std::size_t most_triples_of_parts = 150;
 
 std::function<bool(const std::vector<std::size_t>&)> wanted_sets(Realm realm, std::size_t strength) {
     if (strength == 2) return {};
     return [realm](const std::vector<std::size_t>& set) {
+        const auto of_world = [&](std::size_t factor) { return factor < world_factors(realm); };
+        if (std::ranges::any_of(set, of_world)) return std::ranges::all_of(set, of_world);
         std::size_t tuples = 1;
         for (const std::size_t factor : set) tuples *= factors_of(realm)[factor].values.size();
-        return tuples <= most_triples_of_factors;
+        return tuples <= most_triples_of_parts;
     };
 }
 

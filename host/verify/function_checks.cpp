@@ -2,6 +2,7 @@
 #include "core/functions.hpp"
 #include "core/subnormal.hpp"
 #include "opencl/device/cl_error.hpp"
+#include "opencl/device/kernel_sources.hpp"
 #include "opencl/device/program.hpp"
 #include "opencl/rules/functions.hpp"
 #include "reference/rules/functions.hpp"
@@ -13,6 +14,8 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstdlib>
+#include <regex>
 #include <set>
 #include <string>
 
@@ -39,6 +42,20 @@ std::string source_of_all() {
                         function.name, arguments));
     }
     return source.str();
+}
+
+// Those that the text of a function names: where it goes another way something may be wrong with the number itself.
+std::vector<double> numbers_named(std::size_t index) {
+    static const std::regex number(R"(0x[0-9a-f]+(\.[0-9a-f]+)?p[+-]?\d+|\b\d+\.\d+|R\(-?\d+\))");
+    std::vector<double> found;
+    for (const std::string& file : function_files({index})) {
+        const std::string& text = embedded_kernels().at(file);
+        for (auto at = std::sregex_iterator(text.begin(), text.end(), number); at != std::sregex_iterator(); ++at) {
+            const std::string word = at->str();
+            found.push_back(std::strtod(word.c_str() + (word.starts_with("R(") ? 2 : 0), nullptr));
+        }
+    }
+    return found;
 }
 
 template <class T>
@@ -97,7 +114,7 @@ void compare_widths(Place& place, Precision precision, std::size_t index, Tally&
                                                       place.small()  ? 64
                                                       : place.full() ? 65536
                                                                      : 8192,
-                                                      place.seed(), narrow);
+                                                      place.seed(), narrow, numbers_named(index));
     const std::vector<T> expected = in_reference(index, arguments);
     const std::size_t lanes = sizeof(T) == sizeof(float) ? on.info().vector_width_float : on.info().vector_width_double;
     std::set<std::size_t> widths{std::clamp<std::size_t>(lanes, 1, 16)};

@@ -35,18 +35,19 @@ ROOT = pathlib.Path(__file__).resolve().parents[2]
 EMITTERS = ["host/opencl/lattice/emit_*.cpp", "host/opencl/lattice/traits.cpp", "host/opencl/lattice/passing.cpp",
             "host/opencl/rules/*.cpp", "host/opencl/cells/source.cpp", "host/core/evaluate.cpp"]
 NOT_VERIFIED = ["kernels/common/yardstick.cl"]  # belongs to the benchmarks
-# Where a fault in a file most likely shows: the beginnings of names of checks that are tried before all others.
+# Where a fault in a file most likely shows: how the names of checks begin that are tried before all others.
 LIKELY = [("kernels/functions/", ["functions/"]), ("kernels/models/", ["reaction/", "saturation/"]),
           ("kernels/common/sort", ["sort/", "scan/"]), ("kernels/common/scan", ["scan/", "sort/"]),
           ("kernels/rules/philox", ["random/"]), ("kernels/rules/neural", ["neural/"]),
           ("kernels/rules/", ["reaction/"]), ("kernels/neighbours/gather", ["gather/"]),
-          ("kernels/neighbours/", ["sort/", "neighbours/"]), ("kernels/cells/together", ["pairs/cells/"]),
-          ("kernels/cells/", ["cells/", "pairs/cells/"]), ("kernels/lattice/tile", ["tiled/"]),
-          ("kernels/lattice/stream", ["streamed/"]), ("kernels/lattice/margins", ["streamed/", "tiled/"]),
-          ("kernels/lattice/together", ["shared/"]), ("kernels/lattice/expand", ["growth/"]),
-          ("kernels/lattice/resample", ["growth/"]), ("kernels/lattice/", ["rates/", "diffusion/"]),
-          ("host/opencl/cells/", ["pairs/cells/"]), ("host/opencl/lattice/emit_fused", ["pairs/lattice/1", "streamed/"]),
-          ("host/", ["pairs/lattice/2", "rules/"])]
+          ("kernels/neighbours/", ["sort/", "neighbours/"]), ("kernels/cells/together", ["pairs/cells/.*-shared"]),
+          ("kernels/cells/", ["pairs/cells/.*-step"]), ("kernels/lattice/tile", [".*tiled"]),
+          ("kernels/lattice/stream", [".*streamed"]), ("kernels/lattice/margins", [".*streamed", ".*tiled"]),
+          ("kernels/lattice/together", [".*shared"]), ("kernels/lattice/expand", ["growth/"]),
+          ("kernels/lattice/resample", ["growth/"]), ("kernels/lattice/", ["diffusion/", "rates/"]),
+          ("host/opencl/cells/", ["pairs/cells/.*-step"]), ("host/opencl/lattice/emit_fused", ["pairs/.*-(tiled|streamed)"]),
+          ("host/opencl/lattice/passing", ["pairs/.*-(tiled|streamed)"]),
+          ("host/", ["pairs/lattice/.*-step", "pairs/cells/.*-step", "neural/"])]
 
 # ---- the operators: each yields (start, end, text instead) in one line of code
 
@@ -345,7 +346,7 @@ class Bench:
         known = [name for name in [fault.get("by", "")] if name in self.names]
         known += sorted((name for name in counts if name in self.names), key=lambda name: -counts[name])
         beginnings = next((names for path, names in LIKELY if fault["file"].startswith(path)), [])
-        likely = [name for name in self.names if name.startswith(tuple(beginnings))]
+        likely = [name for beginning in beginnings for name in self.names if re.match(beginning, name)]
         return list(dict.fromkeys(known + likely + self.names))
 
     def try_one(self, fault):

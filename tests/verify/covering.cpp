@@ -29,9 +29,9 @@ Array small_array(std::size_t strength) {
     return {{{"a", {"0", "1", "2"}}, {"b", {"0", "1"}}, {"c", {"0", "1", "2", "3"}}, {"d", {"0", "1"}}}, strength, any};
 }
 
-std::vector<ArrayRow> all_rows(Realm realm) {
+std::vector<ArrayRow> all_rows(Realm realm, std::size_t strength) {
     std::vector<ArrayRow> rows;
-    for (const GeneratedWorld& world : generated_worlds(realm, 2)) {
+    for (const GeneratedWorld& world : generated_worlds(realm, strength)) {
         rows.push_back(world.world);
         rows.insert(rows.end(), world.rules.begin(), world.rules.end());
     }
@@ -95,13 +95,24 @@ TEST_CASE("what no row of those given allows is infeasible, and found to be so a
     CHECK(made.infeasible == 4 + 4 + 2);  // 2 of a with all of c and d; a with b, none of which is given
 }
 
-TEST_CASE("in the generated experiments all pairs of values meet that may") {
+TEST_CASE("in the generated experiments all pairs, and all triples of settings, meet that may") {
+    const std::size_t strength = GENERATE(2u, 3u);
+    CAPTURE(strength);
     for (const Realm realm : {Realm::lattice, Realm::cells}) {
-        const Array worlds = world_array(realm, 2);
+        const Array worlds = world_array(realm, strength);
         CHECK(not_met(worlds, cover(worlds).rows).empty());
-        const std::vector<std::string> missing = not_met(rule_array(realm, 2), all_rows(realm));
+        const std::vector<std::string> missing = not_met(rule_array(realm, strength), all_rows(realm, strength));
         for (const std::string& tuple : missing) UNSCOPED_INFO(tuple);
         CHECK(missing.empty());
+    }
+}
+
+TEST_CASE("experiments in which triples meet are of the language") {
+    for (const Realm realm : {Realm::lattice, Realm::cells}) {
+        for (const GeneratedWorld& world : generated_worlds(realm, 3)) {
+            const GeneratedCase one{&world, realm, realm == Realm::lattice ? Size{17, 11} : Size{11, 5}};
+            CHECK_NOTHROW(parse_experiment(generated_text(one), "generated", "."));
+        }
     }
 }
 
