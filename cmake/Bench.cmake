@@ -27,7 +27,7 @@ set_source_files_properties(host/bench/openmp_rows.cpp PROPERTIES COMPILE_OPTION
 find_path(CAIRO_INCLUDE_DIR cairo.h PATH_SUFFIXES cairo)
 find_library(CAIRO_LIBRARY cairo)
 if(CAIRO_INCLUDE_DIR AND CAIRO_LIBRARY)
-  add_executable(pelage_plot host/plot/canvas.cpp host/plot/plot.cpp host/plot/sheet.cpp host/plot/text.cpp host/plot/main.cpp)
+  add_executable(pelage_plot host/plot/canvas.cpp host/plot/curve.cpp host/plot/plot.cpp host/plot/sheet.cpp host/plot/text.cpp host/plot/main.cpp)
   set_target_properties(pelage_plot PROPERTIES OUTPUT_NAME pelage-plot)
   target_include_directories(pelage_plot SYSTEM PRIVATE ${CAIRO_INCLUDE_DIR})
   target_link_libraries(pelage_plot PRIVATE pelage_bench pelage_flags ${CAIRO_LIBRARY})

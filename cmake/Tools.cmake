@@ -39,6 +39,12 @@ file(GLOB sweep_sources CONFIGURE_DEPENDS host/sweep/*.cpp)
 add_library(pelage_sweep STATIC ${sweep_sources})
 target_link_libraries(pelage_sweep PUBLIC pelage_cluster pelage_stats pelage pelage_inside PRIVATE pelage_flags)
 
+# Textures learned from pictures.
+file(GLOB learn_sources CONFIGURE_DEPENDS host/learn/*.cpp)
+add_library(pelage_learn STATIC ${learn_sources})
+target_link_libraries(pelage_learn PUBLIC pelage pelage_inside PRIVATE pelage_flags nlohmann_json::nlohmann_json)
+pelage_unite(pelage_learn)
+
 # Experiments made of other programs' files.
 find_package(EXPAT REQUIRED)
 find_package(ZLIB REQUIRED)
@@ -54,7 +60,7 @@ file(GLOB app_sources CONFIGURE_DEPENDS host/app/*.cpp)
 list(REMOVE_ITEM app_sources ${PROJECT_SOURCE_DIR}/host/app/main.cpp)
 add_library(pelage_app STATIC ${app_sources})
 target_compile_definitions(pelage_app PRIVATE PELAGE_VERSION="${PROJECT_VERSION}")
-target_link_libraries(pelage_app PUBLIC pelage_import pelage_tune pelage_verify pelage_bench pelage_sweep pelage_stats pelage CLI11::CLI11 PRIVATE pelage_flags nlohmann_json::nlohmann_json)
+target_link_libraries(pelage_app PUBLIC pelage_import pelage_learn pelage_tune pelage_verify pelage_bench pelage_sweep pelage_stats pelage CLI11::CLI11 PRIVATE pelage_flags nlohmann_json::nlohmann_json)
 add_executable(pelage_command host/app/main.cpp)
 set_target_properties(pelage_command PROPERTIES OUTPUT_NAME pelage)
 target_compile_definitions(pelage_command PRIVATE PELAGE_VERSION="${PROJECT_VERSION}")
@@ -63,7 +69,7 @@ target_link_libraries(pelage_command PRIVATE pelage_app pelage_flags)
 # Every file that knows the parser of the command line takes seconds to read it: they are compiled in one go.
 if(NOT CMAKE_UNITY_BUILD)
   set_target_properties(pelage_app PROPERTIES UNITY_BUILD ON UNITY_BUILD_MODE GROUP)
-  foreach(name bench_command check_command command_line completion completion_command devices_command help_command import_command manual
+  foreach(name bench_command check_command command_line completion completion_command devices_command help_command import_command learn_command manual
       measure_command options_of run_command sweep_command tune_command validators verify_command)
     set_source_files_properties(host/app/${name}.cpp PROPERTIES UNITY_GROUP command_line)
   endforeach()

@@ -167,6 +167,7 @@ void define(CLI::App& app, int& exit_code) {
     add_check(app, exit_code);
     add_sweep(app, exit_code);
     add_measure(app, exit_code);
+    add_learn(app, exit_code);
     add_devices(app, exit_code);
     add_verify(app, exit_code);
     add_bench(app, exit_code);

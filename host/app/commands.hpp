@@ -19,6 +19,7 @@ void add_devices(CLI::App&, int& exit_code);
 void add_check(CLI::App&, int& exit_code);
 void add_sweep(CLI::App&, int& exit_code);
 void add_measure(CLI::App&, int& exit_code);
+void add_learn(CLI::App&, int& exit_code);
 void add_verify(CLI::App&, int& exit_code);
 void add_bench(CLI::App&, int& exit_code);
 void add_tune(CLI::App&, int& exit_code);

@@ -124,7 +124,51 @@ private:
     std::size_t left_;
 };
 
+// Little-endian.
+void put(std::string& to, std::size_t number, std::size_t bytes) {
+    for (std::size_t n = 0; n < bytes; ++n) to += static_cast<char>((number >> (8 * n)) & 0xff);
+}
+
+// What stands before a file and in the list of files alike, from "version needed" to the length of the extra field.
+void put_facts(std::string& to, const std::string& name, const std::string& content) {
+    constexpr std::size_t version = 20, first_of_january_1980 = 0x21;
+    const uLong sum = crc32(0, reinterpret_cast<const Bytef*>(content.data()), static_cast<uInt>(content.size()));
+    put(to, version, 2);
+    put(to, 0, 6);  // no flags, stored, midnight
+    put(to, first_of_january_1980, 2);
+    put(to, sum, 4);
+    put(to, content.size(), 4);
+    put(to, content.size(), 4);
+    put(to, name.size(), 2);
+    put(to, 0, 2);
+}
+
 }  // namespace
+
+std::string zip_of(const std::map<std::string, std::string>& files) {
+    std::string all, list;
+    for (const auto& [name, content] : files) {
+        list += entry_magic;
+        put(list, 20, 2);  // made by version 2.0
+        put_facts(list, name, content);
+        put(list, 0, 10);  // no comment, first disk, no attributes
+        put(list, all.size(), 4);
+        list += name;
+        all += zip_magic;
+        put_facts(all, name, content);
+        all += name + content;
+    }
+    const std::size_t begin = all.size();
+    all += list;
+    all += end_magic;
+    put(all, 0, 4);
+    put(all, files.size(), 2);
+    put(all, files.size(), 2);
+    put(all, list.size(), 4);
+    put(all, begin, 4);
+    put(all, 0, 2);
+    return all;
+}
 
 std::map<std::string, std::string> parse_zip(std::string_view bytes, const std::string& name, std::size_t most) {
     return ZipReader(bytes, name, most).read();

@@ -14,4 +14,7 @@ inline constexpr std::string_view zip_magic{"PK\x03\x04", 4};  // how such a fil
 // deflate, encrypted, or where what it holds has more than `most` bytes in all.
 std::map<std::string, std::string> parse_zip(std::string_view bytes, const std::string& name, std::size_t most);
 
+// A zip file of these, each as it is, not packed; the same bytes whenever it is made.
+std::string zip_of(const std::map<std::string, std::string>& files);
+
 }  // namespace pelage

@@ -3,6 +3,7 @@
 
 #include "core/error.hpp"
 #include "io/archive.hpp"
+#include "io/atomic_file.hpp"
 #include "io/file_bytes.hpp"
 #include "io/npy.hpp"
 #include "io/npy_header.hpp"
@@ -118,6 +119,15 @@ FoundNetwork read_network(const std::filesystem::path& path) {
     }
     found.network = network_of(arrays, path.string());
     return found;
+}
+
+void write_network(const std::filesystem::path& path, const Network& network) {
+    const auto array = [&](const std::vector<std::size_t>& shape, const std::vector<double>& values) {
+        return npy_bytes(shape, values, NpyType::float32, path.string());
+    };
+    write_file(path, zip_of({{"W0.npy", array({network.chemicals, network.hidden}, network.first)},
+                             {"b0.npy", array({network.hidden}, network.bias)},
+                             {"W1.npy", array({network.hidden, network.chemicals}, network.second)}}));
 }
 
 }  // namespace pelage

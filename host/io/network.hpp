@@ -31,4 +31,7 @@ struct FoundNetwork {
 FoundNetwork read_network(const std::filesystem::path&);
 Network parse_network(std::string_view bytes, const std::string& name);  // of a file, from memory
 
+// An .npz archive of W0, b0 and W1 in single precision. Throws Error naming the file and the reason.
+void write_network(const std::filesystem::path&, const Network&);
+
 }  // namespace pelage

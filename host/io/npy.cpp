@@ -9,7 +9,6 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 #include <algorithm>
-#include <array>
 #include <cstdint>
 #include <limits>
 #include <map>
@@ -115,11 +114,11 @@ NpyArray parse_npy(std::string_view bytes, std::string_view name) {
 
 NpyArray read_npy(const std::filesystem::path& path) { return parse_npy(read_file(path), path.string()); }
 
-void write_npy(const std::filesystem::path& path, const std::vector<std::size_t>& shape, std::span<const double> values,
-               NpyType type) {
-    if (count_values(shape, path.string()) != values.size()) {
-        throw Error(fmt::format("'{}' cannot be written: {} values do not fill the shape ({})", path.string(),
-                                values.size(), fmt::join(shape, ", ")));
+std::string npy_bytes(const std::vector<std::size_t>& shape, std::span<const double> values, NpyType type,
+                      std::string_view name) {
+    if (count_values(shape, name) != values.size()) {
+        throw Error(fmt::format("'{}' cannot be written: {} values do not fill the shape ({})", name, values.size(),
+                                fmt::join(shape, ", ")));
     }
     const bool single = type == NpyType::float32;
     auto header = fmt::format("{{'descr': '{}', 'fortran_order': False, 'shape': ({}{}), }}", single ? "<f4" : "<f8",
@@ -127,19 +126,22 @@ void write_npy(const std::filesystem::path& path, const std::vector<std::size_t>
     header.append(63 - (10 + header.size()) % 64, ' ');  // numbers start at a multiple of 64
     header += '\n';
 
-    AtomicFile file(path);
-    file.write(npy_magic);
-    const std::array<char, 4> version_and_length{1, 0, static_cast<char>(header.size() & 0xff),
-                                                 static_cast<char>(header.size() >> 8)};
-    file.write(version_and_length.data(), version_and_length.size());
-    file.write(header);
-    if (single) {
-        const std::vector<float> narrow(values.begin(), values.end());
-        file.write(narrow.data(), narrow.size() * sizeof(float));
-    } else {
-        file.write(values.data(), values.size_bytes());
-    }
-    file.commit();
+    std::string bytes(npy_magic);
+    bytes += {1, 0, static_cast<char>(header.size() & 0xff), static_cast<char>(header.size() >> 8)};
+    bytes += header;
+    const auto add = [&bytes](const auto& numbers) {
+        bytes.append(reinterpret_cast<const char*>(numbers.data()), numbers.size() * sizeof numbers[0]);
+    };
+    if (single)
+        add(std::vector<float>(values.begin(), values.end()));
+    else
+        add(values);
+    return bytes;
+}
+
+void write_npy(const std::filesystem::path& path, const std::vector<std::size_t>& shape, std::span<const double> values,
+               NpyType type) {
+    write_file(path, npy_bytes(shape, values, type, path.string()));
 }
 
 }  // namespace pelage

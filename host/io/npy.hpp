@@ -4,6 +4,7 @@
 #include <cstddef>
 #include <filesystem>
 #include <span>
+#include <string>
 #include <string_view>
 #include <vector>
 
@@ -27,7 +28,11 @@ std::string_view npy_content(std::string_view bytes, std::string_view name);
 
 enum class NpyType { float32, float64 };
 
-// Format version 1.0, C order. Throws Error when the shape does not fit the values or the file cannot be written.
+// Such a file's bytes: format version 1.0, C order. Throws Error when the shape does not fit the values.
+std::string npy_bytes(const std::vector<std::size_t>& shape, std::span<const double> values, NpyType,
+                      std::string_view name);
+
+// The same as a file. Throws Error when the shape does not fit the values or the file cannot be written.
 void write_npy(const std::filesystem::path&, const std::vector<std::size_t>& shape, std::span<const double> values,
                NpyType = NpyType::float64);
 

@@ -1,7 +1,8 @@
-// pelage-plot: draws what `pelage bench --json` wrote, and contact sheets of `pelage sweep`. A program of its own, so
-// that the command needs no cairo.
+// pelage-plot: draws what `pelage bench --json` wrote, contact sheets of `pelage sweep`, and loss curves of `pelage
+// learn`. A program of its own, so that the command needs no cairo.
 #include "bench/report_read.hpp"
 #include "io/file_bytes.hpp"
+#include "plot/curve.hpp"
 #include "plot/plot.hpp"
 #include "plot/sheet.hpp"
 
@@ -16,7 +17,9 @@ int main(int argc, char** argv) {
             "Usage: pelage-plot RESULTS.json PICTURE.png\n"
             "Draws PICTURE.roofline.png and PICTURE.scaling.png of what `pelage bench --json` wrote, or the contact "
             "sheet\n"
-            "PICTURE.png, .svg or .pdf of what `pelage sweep` says of its tiles.\n",
+            "PICTURE.png, .svg or .pdf of what `pelage sweep` says of its tiles, or the loss curve PICTURE.png of "
+            "`pelage "
+            "learn`.\n",
             stderr);
         return 2;
     }
@@ -24,6 +27,8 @@ int main(int argc, char** argv) {
         const nlohmann::json what = nlohmann::json::parse(pelage::read_file(argv[1]));
         if (what.contains("mosaic"))
             pelage::plot::draw_sheet(what, argv[2]);
+        else if (what.contains("curve"))
+            pelage::bench::draw_curve(what.at("curve"), argv[2]);
         else
             pelage::bench::plot(pelage::bench::read_report(argv[1]), argv[2]);
         return 0;

@@ -2,18 +2,11 @@
 #include "reference/rules/neural.hpp"
 
 #include "core/subnormal.hpp"
+#include "reference/common/with_fma.hpp"
 #include "reference/functions/quick_sigmoid.hpp"
 
 #include <algorithm>
 #include <cmath>
-
-// Where the processor has fma, the compiler may use it here: most of a run's time goes by in these sums.
-#if defined(__x86_64__) && defined(__GNUC__)
-#define PELAGE_WITH_FMA __attribute__((target("avx2,fma"), flatten))
-#define PELAGE_INLINE inline __attribute__((always_inline))
-#else
-#define PELAGE_INLINE inline
-#endif
 
 namespace pelage::reference {
 
@@ -76,7 +69,7 @@ std::vector<std::vector<T>> ask(const Network& network, const std::vector<const 
     const Weights<T> weights(network);
     std::vector<std::vector<T>> f(network.chemicals, std::vector<T>(cells));
 #ifdef PELAGE_WITH_FMA
-    if (__builtin_cpu_supports("avx2") && __builtin_cpu_supports("fma")) {
+    if (runs_with_fma()) {
         ask_with_fma(weights, x, cells, f);
         return f;
     }

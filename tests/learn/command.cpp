@@ -1,0 +1,107 @@
+// `pelage learn`, as a user calls it.
+#include "io/network.hpp"
+#include "io/picture.hpp"
+#include "support/process.hpp"
+
+#include <catch2/catch.hpp>
+
+#include <cmath>
+#include <csignal>
+#include <filesystem>
+
+using namespace pelage;
+using test::command;
+
+namespace {
+
+// Round spots on a torus.
+void write_spots(const std::filesystem::path& path) {
+    Picture picture(32, 32);
+    for (std::size_t n = 0; n < 1024; ++n) {
+        const double x = std::cos(static_cast<double>(n % 32) * 0.785398),
+                     y = std::cos(static_cast<double>(n / 32) * 0.785398);
+        const auto shade = static_cast<std::uint8_t>(128 + 60 * x * y);
+        picture.at(n % 32, n / 32) = {shade, shade, 40};
+    }
+    write_png(path, picture);
+}
+
+const std::vector<std::string> quick{"--size", "32", "--chemicals", "4", "--hidden",     "8",   "--batch", "2",
+                                     "--pool", "8",  "--rotations", "1", "--iterations", "4:9", "--wrap"};
+
+std::vector<std::string> training_words(const test::Folder& folder, const std::string& model,
+                                        std::vector<std::string> more) {
+    std::vector<std::string> words{"learn", (folder / "spots.png").string(), "--out", (folder / model).string()};
+    words.insert(words.end(), quick.begin(), quick.end());
+    words.insert(words.end(), more.begin(), more.end());
+    return words;
+}
+
+}  // namespace
+
+TEST_CASE("a training ends in a model, a curve and a picture; resumed, in the same bits") {
+    const std::string backend = GENERATE("reference", "opencl");
+    const test::Folder folder;
+    write_spots(folder / "spots.png");
+    const auto whole = command(training_words(folder, "a.npz", {"--steps", "12", "--backend", backend}));
+    INFO(whole.err);
+    REQUIRE(whole.exit_code == 0);
+    CHECK(whole.out == (folder / "a.npz").string() + "\n");
+    CHECK_THAT(whole.err, Catch::Contains("seed states have a loss of"));
+    for (const char* name : {"a.npz", "a.loss.csv", "a.preview.png", "a.checkpoint"})
+        CHECK(std::filesystem::exists(folder / name));
+    const Network network = read_network(folder / "a.npz").network;
+    CHECK(network.chemicals == 4);
+    CHECK(network.hidden == 8);
+
+    REQUIRE(command(training_words(folder, "b.npz", {"--steps", "5", "--backend", backend})).exit_code == 0);
+    CHECK_THAT(command(training_words(folder, "b.npz", {"--steps", "12", "--backend", backend})).err,
+               Catch::Contains("go on from it with --resume"));
+    CHECK_THAT(command(training_words(folder, "b.npz", {"--steps", "5", "--backend", backend, "--resume"})).err,
+               Catch::Contains("has 5 steps already"));
+    REQUIRE(command(training_words(folder, "b.npz", {"--steps", "12", "--backend", backend, "--resume"})).exit_code ==
+            0);
+    CHECK(test::read_all(folder / "a.npz") == test::read_all(folder / "b.npz"));
+    CHECK(test::read_all(folder / "a.loss.csv") == test::read_all(folder / "b.loss.csv"));
+    CHECK(test::read_all(folder / "a.checkpoint") == test::read_all(folder / "b.checkpoint"));
+}
+
+TEST_CASE("Ctrl-C saves a training") {
+    const test::Folder folder;
+    write_spots(folder / "spots.png");
+    std::vector<std::string> words = training_words(folder, "a.npz", {"--steps", "100000", "--preview-every", "1"});
+    words.insert(words.begin(), test::program);
+    test::Child child(words);
+    REQUIRE(test::wait_for(folder / "a.npz", child));
+    child.signal(SIGINT);
+    const auto stopped = child.wait();
+    CHECK(stopped.exit_code == 130);
+    CHECK_THAT(stopped.err, Catch::Contains("--resume goes on from"));
+    CHECK(std::filesystem::exists(folder / "a.checkpoint"));
+}
+
+TEST_CASE("what a training cannot be is told in a sentence, and leaves nothing") {
+    const test::Folder folder;
+    write_spots(folder / "spots.png");
+    const auto refused = [&](const std::vector<std::string>& more) {
+        const auto outcome = command(training_words(folder, "a.npz", more));
+        CHECK(outcome.exit_code == 2);
+        CHECK(outcome.err.starts_with("pelage: "));
+        return outcome.err;
+    };
+    CHECK_THAT(refused({"--size", "32", "--chemicals", "6"}), Catch::Contains("given more than once"));
+    CHECK_THAT(refused({"--rate", "-1"}), Catch::Contains("--rate -1 is not allowed"));
+    CHECK_THAT(refused({"--rate", "fast"}), Catch::Contains("--rate"));
+    CHECK_THAT(refused({"--drop-at", "10,x"}), Catch::Contains("'x' is no whole number"));
+    CHECK_THAT(refused({"--resume"}), Catch::Contains("a.checkpoint"));
+    CHECK_THAT(refused({"--backend", "opencl", "--device", "no such"}), Catch::Contains("no such"));
+    CHECK(test::names_in(folder.path()) == std::vector<std::string>{"spots.png"});
+
+    const std::string picture = (folder / "spots.png").string();
+    CHECK_THAT(command({"learn", picture, "--iterations", "9"}).err, Catch::Contains("LOW:HIGH"));
+    CHECK_THAT(command({"learn", picture, "--size", "48", "--chemicals", "5"}).err, Catch::Contains("--chemicals 5"));
+    CHECK_THAT(command({"learn", picture, "--size", "512", "--pool", "1000000"}).err, Catch::Contains("takes up to"));
+    CHECK_THAT(command({"learn", picture, "--out", "model.txt"}).err, Catch::Contains("must end in .npz"));
+    CHECK_THAT(command({"learn", picture, "--out", "/proc/none/a.npz"}).err, Catch::Contains("/proc/none"));
+    CHECK_THAT(command({"learn", (folder / "none.png").string()}).err, Catch::Contains("none.png"));
+}
