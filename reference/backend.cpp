@@ -4,6 +4,7 @@
 #include "core/error.hpp"
 #include "core/space.hpp"
 #include "core/visit.hpp"
+#include "reference/aggregate/tissue.hpp"
 #include "reference/cells/tissue.hpp"
 #include "reference/lattice/tissue.hpp"
 
@@ -23,11 +24,14 @@ public:
     std::unique_ptr<Tissue> make_tissue(const Experiment& experiment, const Snapshot& initial) override {
         validate(experiment);
         auto shared = std::make_shared<const Experiment>(experiment);
-        return std::visit(
-            Overloaded{
-                [&](const Lattice&) { return make_reference_lattice(shared, initial, precision_); },
-                [&](const FreeCells&) { return make_reference_cells(shared, initial, precision_, search_, sorting_); }},
-            space_of(experiment));
+        return std::visit(Overloaded{[&](const Lattice& lattice) {
+                                         return lattice.charges ? make_reference_aggregate(shared, initial)
+                                                                : make_reference_lattice(shared, initial, precision_);
+                                     },
+                                     [&](const FreeCells&) {
+                                         return make_reference_cells(shared, initial, precision_, search_, sorting_);
+                                     }},
+                          space_of(experiment));
     }
     using Backend::make_tissue;
 

@@ -117,7 +117,9 @@ void add_bench(CLI::App& app, int& exit_code) {
     const auto list = [&](const char* name, auto& value, const char* text, const char* type) {
         return command->add_option(name, value, text)->delimiter(',')->type_name(type)->transform(trimmed());
     };
-    command->add_option("--suite", options->what.suite, "lattice, cells, neighbours, growth or all (default all)")
+    command
+        ->add_option("--suite", options->what.suite,
+                     "lattice, formula, cells, neighbours, growth, aggregate or all (default all)")
         ->type_name("lattice|cells|neighbours|growth|all");
     command->add_option("--device", options->what.device, "Index or name of an OpenCL device, or all")
         ->type_name("DEVICE");

@@ -38,7 +38,9 @@ struct CheckOptions {
 };
 
 void explain_paths(const Experiment& experiment) {
-    if (!std::holds_alternative<Lattice>(space_of(experiment))) return;
+    const Space space = space_of(experiment);
+    const auto* lattice = std::get_if<Lattice>(&space);
+    if (lattice == nullptr || lattice->charges) return;
     const DeviceInfo processor = usual_processor();
     const Snapshot initial = initial_state(experiment);
     say("  on a processor of {}:\n", counted(processor.processors, "thread"));

@@ -224,12 +224,44 @@ std::vector<Case> growth_cases() {
     return {matrix, tissues, seedling};
 }
 
+std::string lightning(std::size_t side) {
+    return fmt::format(
+        "define chemical order\ndefine chemical potential\nuse seed 1\ncreate charges {0} {0}\n"
+        "set cells where (COLUMN == {1} and ROW == {1}) chemical order conc 1\n"
+        "rule always aggregate order potential eta 6.8\n",
+        side, side / 2);
+}
+
+// What a charge costs grows with how many there are: each is a look at all candidates, about two a charge. The smallest
+// work for one is its term of the sum (21 operations) and a weight (40) for each of them.
+std::vector<Case> aggregate_cases() {
+    Case one;
+    one.suite = "aggregate";
+    one.name = "lightning";
+    one.sizes = {1'000, 3'000, 10'000, 30'000};
+    one.quick_sizes = {100};
+    one.text = [](std::size_t charges) {  // on a lattice that is wide for so many
+        return lightning(static_cast<std::size_t>(std::max(120.0, 4.0 * std::sqrt(static_cast<double>(charges)))));
+    };
+    one.cells = [](std::size_t charges) { return charges; };
+    one.particles = true;
+    one.bytes = 40;
+    one.flops = 122;
+    Case long_one = one;
+    long_one.name = "long-lightning";
+    long_one.sizes = {100'000};
+    long_one.text = [](std::size_t) { return lightning(2048); };
+    long_one.by_default = false;
+    return {one, long_one};
+}
+
 }  // namespace
 
 const std::vector<Case>& all_cases() {
     static const std::vector<Case> cases = [] {
         std::vector<Case> list;
-        for (const auto& part : {lattice_cases(), formula_cases(), cell_cases(), neighbour_cases(), growth_cases()}) {
+        for (const auto& part :
+             {lattice_cases(), formula_cases(), cell_cases(), neighbour_cases(), growth_cases(), aggregate_cases()}) {
             list.insert(list.end(), part.begin(), part.end());
         }
         return list;

@@ -21,7 +21,7 @@ struct Kernel {
 struct Case {
     std::string suite;
     std::string name;
-    // A size is the side of a lattice, or a number of free cells or points.
+    // A size is the side of a lattice, or a number of free cells, points or charges.
     std::vector<std::size_t> sizes, quick_sizes;
     bool by_default = true;                         // else only when asked for by name
     std::function<std::string(std::size_t)> text;   // in the experiment language; empty: points, no experiment
@@ -32,6 +32,7 @@ struct Case {
     double bytes = 0;                               // that one update of a cell must move, once each
     double flops = 0;                               // of one update; a fma counts as two
     bool shuffled = false;                          // points without order
+    bool particles = false;                         // a size is that of an aggregate that grows; one update is a charge
 };
 
 const std::vector<Case>& all_cases();

@@ -17,14 +17,15 @@ namespace {
 
 // What the reference does in a second or less; beyond, it takes part only where it is asked for by name.
 constexpr double patience_lattice = 1.2e6, patience_cells = 1.2e5, patience_points = 1.2e6;
-constexpr double patience_whole_lattice = 1e8, patience_whole_cells = 1e7;
+constexpr double patience_whole_lattice = 1e8, patience_whole_cells = 1e7, patience_particles = 2'000;
 
 class Maker {
 public:
     Maker(const Options& options, const Case& one, std::size_t size, const std::vector<DeviceSessions>& devices)
         : options_(options), case_(one), size_(size), devices_(devices) {
         contest_.cells = one.cells(size);
-        contest_.whole = options.quick ? std::min<std::size_t>(one.whole, 120) : one.whole;
+        const std::size_t whole = one.particles ? size : one.whole;
+        contest_.whole = options.quick ? std::min<std::size_t>(whole, 120) : whole;
         contest_.stretch = contest_.whole != 0 ? contest_.whole : one.text ? 37 : 1;
         contest_.updates = static_cast<double>(contest_.cells);
     }
@@ -73,16 +74,21 @@ private:
         contest_.updates = static_cast<double>(contest_.cells);
         const bool lattice = initial->lattice();
         double work = contest_.updates;
-        if (contest_.whole != 0) {
+        if (case_.particles) {
+            contest_.updates = work = static_cast<double>(contest_.whole);
+        } else if (contest_.whole != 0) {
             contest_.updates = count_updates(devices_.front().standard, *experiment, *initial, contest_.whole);
             work = contest_.updates;
         }
-        const double patience = contest_.whole == 0 ? (lattice ? patience_lattice : patience_cells)
-                                                    : (lattice ? patience_whole_lattice : patience_whole_cells);
+        const double patience = case_.particles       ? patience_particles
+                                : contest_.whole == 0 ? (lattice ? patience_lattice : patience_cells)
+                                                      : (lattice ? patience_whole_lattice : patience_whole_cells);
         add("reference", processor_name(), too_long(work, patience),
             [=] { return reference_task(*experiment, initial); });
         const std::optional<Kernel> kernel = case_.kernel;
+        const bool particles = case_.particles;
         add("openmp", processor_name(), why_no_openmp(case_), [=] {
+            if (particles) return openmp_aggregate(*experiment, *initial);
             return kernel ? openmp_lattice(*kernel, *experiment, *initial) : openmp_cells(*experiment, *initial);
         });
         for (const DeviceSessions& device : devices_) {

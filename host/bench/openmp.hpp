@@ -23,4 +23,7 @@ std::unique_ptr<Task> openmp_lattice(const Kernel&, const Experiment&, const Sna
 // cells sorted by bins, 16 side by side.
 std::unique_ptr<Task> openmp_cells(const Experiment&, const Snapshot& initial);
 
+// Charges of one eta: candidates in places, a share of them each thread, three barriers a particle.
+std::unique_ptr<Task> openmp_aggregate(const Experiment&, const Snapshot& initial);
+
 }  // namespace pelage::bench

@@ -22,7 +22,7 @@ std::string why_no_openmp(const Case& one) {
 #ifndef _OPENMP
     return one.name + ": this program was built without OpenMP";
 #else
-    if (one.kernel || one.suite == "cells" || one.suite == "neighbours") return {};
+    if (one.kernel || one.suite == "cells" || one.suite == "neighbours" || one.suite == "aggregate") return {};
     return "there is no hand-written baseline for this case";
 #endif
 }

@@ -24,6 +24,7 @@ std::optional<Event> event_of(const Rule& rule, std::size_t place) {
                           [](const Divide&) -> Made { return {}; },
                           [](const Move&) -> Made { return {}; },
                           [](const And&) -> Made { return {}; },
+                          [](const Aggregate&) -> Made { return {}; },
                       },
                       rule.action);
 }

@@ -172,7 +172,18 @@ struct Expand {
     std::optional<Interpolation> interpolation = std::nullopt;  // 2020 paper, figure 22
 };
 
-using Action = std::variant<React, Formula, Neural, Change, Set, Map, Polarize, Divide, Move, And, Expand>;
+// One more charge on a free site beside a taken one, drawn by the potentials of those sites: see core/aggregate.hpp.
+struct Aggregate {
+    std::size_t order = 0;      // chemical that holds a charge's place in the order of arrival, from 1; 0: a free site
+    std::size_t potential = 0;  // chemical that holds the potential of a free site beside a taken one
+    Operand eta = Operand::number(1.0);     // these read numbers, ITERATION and TIME alone
+    Operand radius = Operand::number(1.0);  // of a charge
+    Operand x = Operand::number(0.0);       // of the place that draws the growth
+    Operand y = Operand::number(0.0);
+    Operand strength = Operand::number(0.0);
+};
+
+using Action = std::variant<React, Formula, Neural, Change, Set, Map, Polarize, Divide, Move, And, Expand, Aggregate>;
 
 struct Rule {
     std::size_t line = 0;           // in the experiment file; 0 when built by hand
@@ -260,6 +271,7 @@ struct CreateMatrix {
     std::size_t rows = 0;
     Boundary boundary = Boundary::no_flux;
     double x = 0.0, y = 0.0;
+    bool charges = false;  // its cells are the sites of an aggregate
 };
 struct CreateShape {
     std::vector<std::string> lines;  // top line first; letters are cells

@@ -22,7 +22,8 @@ inline constexpr std::uint32_t expansion = 3;
 inline constexpr std::uint32_t field = 4;
 inline constexpr std::uint32_t start = 5;
 inline constexpr std::uint32_t output = 6;
-inline constexpr std::uint32_t parameter = 7;  // in place of the cell stands that of the parameter
+inline constexpr std::uint32_t parameter = 7;    // in place of the cell stands that of the parameter
+inline constexpr std::uint32_t aggregation = 8;  // in place of the cell stands 0
 }  // namespace purpose
 
 // The words of one draw.

@@ -14,27 +14,34 @@ namespace {
 // What one statement creates; empty for those that create nothing.
 std::optional<Space> created(const Statement& statement, const Experiment& experiment) {
     using Made = std::optional<Space>;
-    return std::visit(
-        Overloaded{
-            [&](const CreateMatrix& m) -> Made {
-                return Lattice{
-                    m.columns,         m.rows, m.x, m.y, m.boundary, experiment.stencil, Arithmetic::fused, true,
-                    experiment.weights};
-            },
-            [](const CreateGrid& grid) -> Made {
-                if (grid.arrangement != Arrangement::sqr_grid || grid.deviation != 0.0) return FreeCells{};
-                const Boundary boundary = grid.wrap ? Boundary::wrap : Boundary::no_flux;
-                return Lattice{grid.columns,          grid.rows, grid.x, grid.y, boundary, Stencil::moore,
-                               Arithmetic::published, false,     {}};
-            },
-            [](const CreateCell&) -> Made { return FreeCells{}; },
-            [](const CreateShape&) -> Made { return FreeCells{}; },
-            [](const UseChemical&) -> Made { return {}; },
-            [](const UsePolarity&) -> Made { return {}; },
-            [](const UseSeed&) -> Made { return {}; },
-            [](const SetCells&) -> Made { return {}; },
-        },
-        statement);
+    return std::visit(Overloaded{
+                          [&](const CreateMatrix& m) -> Made {
+                              return Lattice{m.columns,
+                                             m.rows,
+                                             m.x,
+                                             m.y,
+                                             m.boundary,
+                                             experiment.stencil,
+                                             Arithmetic::fused,
+                                             !m.charges,
+                                             experiment.weights,
+                                             m.charges};
+                          },
+                          [](const CreateGrid& grid) -> Made {
+                              if (grid.arrangement != Arrangement::sqr_grid || grid.deviation != 0.0)
+                                  return FreeCells{};
+                              const Boundary boundary = grid.wrap ? Boundary::wrap : Boundary::no_flux;
+                              return Lattice{grid.columns,          grid.rows, grid.x, grid.y, boundary, Stencil::moore,
+                                             Arithmetic::published, false,     {},     false};
+                          },
+                          [](const CreateCell&) -> Made { return FreeCells{}; },
+                          [](const CreateShape&) -> Made { return FreeCells{}; },
+                          [](const UseChemical&) -> Made { return {}; },
+                          [](const UsePolarity&) -> Made { return {}; },
+                          [](const UseSeed&) -> Made { return {}; },
+                          [](const SetCells&) -> Made { return {}; },
+                      },
+                      statement);
 }
 
 bool cells_leave_their_place(const Experiment& experiment) {

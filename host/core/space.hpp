@@ -24,6 +24,7 @@ struct Lattice {
     Arithmetic arithmetic = Arithmetic::fused;
     bool expandable = false;   // `expand` may insert columns and rows
     StencilWeights weights{};  // of Stencil::own
+    bool charges = false;      // the cells are sites of an aggregate, which grows by one site at a time
 };
 
 // Cells with centres anywhere in the plane; those nearer than 3 radii are neighbours.

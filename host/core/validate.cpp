@@ -1,4 +1,5 @@
 // validate(): what makes an experiment meaningless, whoever built it.
+#include "core/aggregate.hpp"
 #include "core/checks.hpp"
 #include "core/counted.hpp"
 #include "core/experiment.hpp"
@@ -28,6 +29,7 @@ public:
         validate_start(experiment_);
         check_fields();
         for (const Rule& rule : experiment_.rules) check_rule(rule);
+        check_charges();
         for (const Output& output : experiment_.outputs) check_output(output);
         if (experiment_.outputs.empty()) fail("an experiment needs at least one output");
         if (experiment_.stop_at > largest_iteration)
@@ -275,6 +277,68 @@ private:
         const bool draws =
             expand.rows_first || expand.distribution != Distribution::uniform || expand.band_weight != 1.0;
         if (expand.interpolation && draws) fail("an interpolation takes no order, no distribution and no weight");
+    }
+
+    void check_action(const Rule& rule, const Aggregate& aggregate) const {
+        if (lattice() == nullptr || !lattice()->charges)
+            fail("`aggregate` needs charges; `create charges COLUMNS ROWS`");
+        if (!std::holds_alternative<Always>(rule.condition)) fail("an `aggregate` rule takes the condition `always`");
+        check_chemical(aggregate.order, "an `aggregate`");
+        check_chemical(aggregate.potential, "an `aggregate`");
+        if (aggregate.order == aggregate.potential) fail("an `aggregate` keeps order and potential in two chemicals");
+        const Aggregate& first = aggregate_of(experiment_);
+        if (aggregate.order != first.order || aggregate.potential != first.potential)
+            fail("all `aggregate` rules keep order and potential in the same chemicals");
+        each_parameter(aggregate, [&](const Operand& operand) { check_parameter(operand); });
+    }
+    void check_parameter(const Operand& operand) const {
+        check_operand(operand);
+        const auto check = [&](const Operand& part) {
+            const Quantity quantity = part.quantity;
+            if (quantity == Quantity::number || quantity == Quantity::iteration || quantity == Quantity::time) return;
+            fail("parameters of `aggregate` are the same for all sites: numbers, ITERATION and TIME");
+        };
+        if (operand.quantity != Quantity::expression) return check(operand);
+        each_operand(checked_expression(operand.index, "a rule"), check);
+    }
+
+    // Nothing but growth happens to charges.
+    void check_charges() {
+        if (lattice() == nullptr || !lattice()->charges) return;
+        if (lattice()->columns > widest_aggregate || lattice()->rows > widest_aggregate)
+            fail(fmt::format("charges are at most {} in a row or column", widest_aggregate));
+        for (const Rule& rule : experiment_.rules) {
+            line_ = rule.line;
+            if (!std::holds_alternative<Aggregate>(rule.action)) fail("charges know no rule but `aggregate`");
+        }
+        line_ = 0;
+        check_still();
+        const Aggregate& aggregate = aggregate_of(experiment_);
+        for (const Phase& phase : experiment_.phases) {
+            check_free(phase, aggregate.order);
+            check_free(phase, aggregate.potential);
+        }
+    }
+    void check_still() const {
+        const auto moves = [](const Statement& statement) {
+            if (const auto* set = std::get_if<SetCells>(&statement)) return std::holds_alternative<SetRate>(set->what);
+            const auto* use = std::get_if<UseChemical>(&statement);
+            return use != nullptr && use->diff && (use->diff->value != 0.0 || use->diff->deviation != 0.0);
+        };
+        for (const Statement& statement : experiment_.prepattern) {
+            if (moves(statement)) fail("nothing diffuses among charges; leave the diffusion rate out");
+        }
+        for (const Phase& phase : experiment_.phases) {
+            for (const auto& rate : phase.rates) {
+                if (rate.value_or(0.0) != 0.0) fail("nothing diffuses among charges; leave the diffusion rate out");
+            }
+        }
+    }
+    void check_free(const Phase& phase, std::size_t chemical) const {
+        const Bounds& bounds = phase.bounds[chemical];
+        if (bounds.floor <= 0.0 && bounds.limit == infinity) return;
+        fail(fmt::format("'{}' counts charges or holds potentials; it takes no bounds",
+                         experiment_.chemicals[chemical].name));
     }
 
     Space space_;

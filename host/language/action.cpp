@@ -1,4 +1,4 @@
-// What a rule does: react, change, set, map, polarize, divide, move, expand, and
+// What a rule does: react, change, set, map, polarize, divide, move, expand, aggregate, and
 #include "language/parse.hpp"
 #include "language/statements.hpp"
 #include "language/vocabulary.hpp"
@@ -169,15 +169,16 @@ struct ActionWord {
     void (Script::*wants)(const Cursor&, const Token& word) = nullptr;  // of the tissue, checked at the end of the file
 };
 
-constexpr std::array<ActionWord, 9> actions{{{"react", without_word<parse_react>},
-                                             {"change", without_word<parse_change>},
-                                             {"set", without_word<parse_replace>},
-                                             {"map", without_word<parse_map>, true},
-                                             {"polarize", without_word<parse_polarize>},
-                                             {"divide", without_word<parse_divide>, false, &Script::refuses_matrix},
-                                             {"move", without_word<parse_move>, false, &Script::refuses_matrix},
-                                             {"expand", parse_expand, true, &Script::expands},
-                                             {"and", parse_and}}};
+constexpr std::array<ActionWord, 10> actions{{{"react", without_word<parse_react>},
+                                              {"change", without_word<parse_change>},
+                                              {"set", without_word<parse_replace>},
+                                              {"map", without_word<parse_map>, true},
+                                              {"polarize", without_word<parse_polarize>},
+                                              {"divide", without_word<parse_divide>, false, &Script::refuses_matrix},
+                                              {"move", without_word<parse_move>, false, &Script::refuses_matrix},
+                                              {"expand", parse_expand, true, &Script::expands},
+                                              {"aggregate", without_word<parse_aggregate>, true},
+                                              {"and", parse_and}}};
 
 constexpr auto action_words = [] {
     std::array<std::string_view, actions.size()> words;

@@ -1,4 +1,5 @@
-// create cell | sqr_grid | sqr_circle | hex_grid | hex_circle | shape | matrix
+// create cell | sqr_grid | sqr_circle | hex_grid | hex_circle | shape | matrix | charges
+#include "core/aggregate.hpp"
 #include "core/prepattern.hpp"
 #include "io/sha256.hpp"
 #include "language/shape.hpp"
@@ -108,6 +109,19 @@ void create_shape(Script& script, Cursor& cursor, const Token& at) {
 
 constexpr std::array<std::string_view, 3> boundary_words{"no-flux", "wrap", "absorbing"};
 
+// COLUMNS ROWS [at X Y]
+void create_charges(Script& script, Cursor& cursor, const Token& at) {
+    static constexpr std::array<std::string_view, 1> words{"at"};
+    CreateMatrix sites;
+    sites.charges = true;
+    sites.columns = cursor.integer("the number of columns", 1, widest_aggregate);
+    sites.rows = cursor.integer("the number of rows", 1, widest_aggregate);
+    const Placement place = parse_placement(cursor, words);
+    sites.x = place.x;
+    sites.y = place.y;
+    script.create(cursor, at, sites, sites.columns * sites.rows);
+}
+
 void create_matrix(Script& script, Cursor& cursor, const Token& at) {
     static constexpr std::array<std::string_view, 4> words{boundary_words[0], boundary_words[1], boundary_words[2],
                                                            "at"};
@@ -139,8 +153,8 @@ void create_matrix(Script& script, Cursor& cursor, const Token& at) {
 std::vector<std::string_view> words_of_boundaries() { return {boundary_words.begin(), boundary_words.end()}; }
 
 void parse_create(Script& script, Cursor& cursor) {
-    static constexpr std::array<std::string_view, 7> words{"sqr_grid", "sqr_circle", "hex_grid", "hex_circle",
-                                                           "cell",     "shape",      "matrix"};
+    static constexpr std::array<std::string_view, 8> words{"sqr_grid", "sqr_circle", "hex_grid", "hex_circle",
+                                                           "cell",     "shape",      "matrix",   "charges"};
     const Token& at = cursor.peek();
     const std::size_t kind = cursor.choose(words);
     script.outside_phases(cursor, at, "create");
@@ -157,8 +171,10 @@ void parse_create(Script& script, Cursor& cursor) {
             return create_cell(script, cursor, at);
         case 5:
             return create_shape(script, cursor, at);
-        default:
+        case 6:
             return create_matrix(script, cursor, at);
+        default:
+            return create_charges(script, cursor, at);
     }
 }
 

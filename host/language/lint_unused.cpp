@@ -1,4 +1,5 @@
 // Lints of what is described and not needed: chemicals, mappings, colours, pictures.
+#include "core/aggregate.hpp"
 #include "language/expression.hpp"
 #include "language/lints.hpp"
 #include "language/pieces.hpp"
@@ -121,6 +122,10 @@ private:
     void look(const Move& move) { read(move.distance); }
     void look(const And&) {}
     void look(const Expand&) {}
+    void look(const Aggregate& aggregate) {
+        chemicals.insert({aggregate.order, aggregate.potential});
+        each_parameter(aggregate, [&](const Operand& parameter) { read(parameter); });
+    }
 
     const Experiment& experiment_;
 };

@@ -109,7 +109,9 @@ std::filesystem::path Script::resolve(std::string_view file_name) const {
 void Script::create(const Cursor& cursor, const Token& at, const Statement& statement, std::size_t cells) {
     const bool matrix = std::holds_alternative<CreateMatrix>(statement);
     if (cells_ > 0 && (matrix || matrix_)) {
-        cursor.fail(at, "a matrix holds all cells; give one 'create matrix' and no other 'create'");
+        cursor.fail(at,
+                    "a matrix holds all cells, and so do charges; give one 'create matrix' or 'create charges' and no "
+                    "other 'create'");
     }
     if (cells > largest_cell_count - cells_) {
         cursor.fail(at, fmt::format("'{}' makes {} cells; at most {} are allowed", at.text, cells_ + cells,

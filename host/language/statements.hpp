@@ -28,6 +28,7 @@ void parse_zoom(Script&, Cursor&);         // output.cpp
 
 Action parse_action(Script&, Cursor&, const Condition&);         // action.cpp
 Action parse_react(Script&, Cursor&);                            // react.cpp
+Action parse_aggregate(Script&, Cursor&);                        // aggregate.cpp
 bool is_neural(Cursor);                                          // neural.cpp: `neural "MODEL"` comes in this line
 Action parse_neural(Script&, Cursor&);                           // neural.cpp
 Operand parse_operand(Script&, Cursor&, std::string_view what);  // operand.cpp

@@ -3,6 +3,7 @@
 
 #include "core/space.hpp"
 #include "core/visit.hpp"
+#include "opencl/aggregate/tissue.hpp"
 #include "opencl/cells/tissue.hpp"
 #include "opencl/lattice/tissue.hpp"
 
@@ -10,7 +11,10 @@ namespace pelage {
 
 std::unique_ptr<Tissue> make_opencl_tissue(std::shared_ptr<const Session> session,
                                            std::shared_ptr<const Experiment> experiment, const Snapshot& initial) {
-    return std::visit(Overloaded{[&](const Lattice&) { return make_opencl_lattice(session, experiment, initial); },
+    return std::visit(Overloaded{[&](const Lattice& lattice) {
+                                     return lattice.charges ? make_opencl_aggregate(session, experiment, initial)
+                                                            : make_opencl_lattice(session, experiment, initial);
+                                 },
                                  [&](const FreeCells&) {
                                      CellsOptions options;
                                      options.search = session->options().neighbours;

@@ -1,6 +1,8 @@
 // See statistics.hpp.
 #include "stats/statistics.hpp"
 
+#include "stats/dimension.hpp"
+
 #include <algorithm>
 #include <cmath>
 
@@ -19,6 +21,7 @@ Statistics statistics_of(const Grid& grid) {
     found.features = features_of(grid);
     found.orientation_order = orientation_order(grid);
     found.waves = waves_of(grid);
+    found.dimension = dimension_of(grid);
     return found;
 }
 
@@ -33,7 +36,8 @@ std::vector<std::pair<std::string, double>> listed(const Statistics& of) {
             {"wavelength", of.waves.wavelength},
             {"anisotropy", of.waves.anisotropy},
             {"direction", of.waves.direction},
-            {"orientation_order", of.orientation_order}};
+            {"orientation_order", of.orientation_order},
+            {"dimension", of.dimension}};
 }
 
 bool uniform(const Statistics& of) {

@@ -20,6 +20,7 @@ struct Statistics {
     Features features;
     double orientation_order = 0.0;
     Waves waves;
+    double dimension = 0.0;
 };
 
 Statistics statistics_of(const Grid&);

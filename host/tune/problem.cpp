@@ -80,6 +80,7 @@ LatticeSize lattice_size(const Experiment& experiment) {
         throw Error(experiment.source +
                     ": free cells have one kernel, there is nothing to tune; lattices have several");
     }
+    if (lattice->charges) throw Error(experiment.source + ": charges have one way to grow, there is nothing to tune");
     return {lattice->columns, lattice->rows};
 }
 

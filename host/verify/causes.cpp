@@ -70,6 +70,7 @@ const std::vector<Dependence>& dependences() {
                                              {"cell step", {"neighbour search", "functions", "random numbers"}},
                                              {"division", {"cell step"}},
                                              {"cells, generated", {"division"}},
+                                             {"aggregates", {}},
                                              {"random experiments", {"single steps", "cells, generated"}}};
     return all;
 }

@@ -1,9 +1,11 @@
 // See self_test.hpp.
 #include "verify/self_test.hpp"
 
+#include "core/aggregate.hpp"
 #include "core/columns.hpp"
 #include "core/lattice.hpp"
 #include "core/schedule.hpp"
+#include "core/space.hpp"
 #include "opencl/backend.hpp"
 #include "opencl/cells/together.hpp"
 #include "opencl/lattice/choice.hpp"
@@ -121,7 +123,22 @@ private:
     double bytes_ = 0;
 };
 
-std::string difference(const OpenclOptions& options, const Experiment& experiment, const Snapshot& start) {
+bool has_charges(const Experiment& experiment) {
+    const Space space = space_of(experiment);
+    const auto* lattice = std::get_if<Lattice>(&space);
+    return lattice != nullptr && lattice->charges;
+}
+
+// A piece between the charges has none of its own: then one lies in its middle. Its potentials are its own, too.
+void give_charges(const Experiment& experiment, Snapshot& piece) {
+    const Aggregate& aggregate = aggregate_of(experiment);
+    std::vector<double>& order = piece.conc[aggregate.order];
+    if (std::ranges::none_of(order, [](double arrived) { return arrived > 0.0; })) order[order.size() / 2] = 1.0;
+    std::ranges::fill(piece.conc[aggregate.potential], 0.0);
+}
+
+std::string difference(const OpenclOptions& options, const Experiment& experiment, const Snapshot& start,
+                       std::uint64_t iterations) {
     const auto backend = opencl_backend(options);
     const bool exact =
         !options.fast && (options.precision == Precision::double_ || backend->device().correctly_rounded_divide_sqrt);
@@ -129,7 +146,7 @@ std::string difference(const OpenclOptions& options, const Experiment& experimen
     const auto expected = reference->make_tissue(experiment, start);
     const auto found = backend->make_tissue(experiment, start);
     Tally tally;
-    for (const std::uint64_t count : {std::uint64_t{1}, few_iterations - 1}) {
+    for (const std::uint64_t count : {std::uint64_t{1}, iterations - 1}) {
         if (!exact && count > 1) break;  // differences grow from step to step
         expected->advance(count);
         found->advance(count);
@@ -160,16 +177,24 @@ Snapshot small_piece(const Snapshot& whole) {
 std::string self_test(const OpenclOptions& options, const Experiment& experiment, const Snapshot& initial,
                       std::uint64_t last) {
     const DeviceInfo device = select_device(options.device);
+    const bool charges = has_charges(experiment);
     std::optional<LatticeForms> lattice;
-    if (initial.lattice()) lattice.emplace(options, device, experiment, initial);
+    if (initial.lattice() && !charges) lattice.emplace(options, device, experiment, initial);
     Snapshot start = small_piece(initial);
+    if (charges) give_charges(experiment, start);
+    const auto forms = [&](std::uint64_t iteration) {
+        if (lattice) return lattice->at(iteration);
+        if (!charges) return forms_of_cells(options, device, experiment, initial);
+        return options.path == Path::automatic ? std::vector{Path::step, Path::shared} : std::vector{options.path};
+    };
     for (const std::uint64_t iteration : beginnings(experiment, initial.iteration, last, options.variants)) {
         start.iteration = iteration;
-        for (const Path path :
-             lattice ? lattice->at(iteration) : forms_of_cells(options, device, experiment, initial)) {
+        // Parameters of an aggregate need not mean anything later.
+        const std::uint64_t count = charges ? std::min(few_iterations, last - iteration) : few_iterations;
+        for (const Path path : forms(iteration)) {
             OpenclOptions own = options;
             own.path = path;
-            const std::string found = difference(own, experiment, start);
+            const std::string found = difference(own, experiment, start, count);
             if (!found.empty()) return path == options.path ? found : fmt::format("{} ({})", found, word(path));
         }
     }

@@ -162,8 +162,9 @@ struct Act {  // carries out an action where truth holds
         });
     }
 
-    void operator()(const And&) {}     // truth is handed on by apply_rules
-    void operator()(const Expand&) {}  // growth comes before the iteration, in Tissue::advance
+    void operator()(const And&) {}        // truth is handed on by apply_rules
+    void operator()(const Expand&) {}     // growth comes before the iteration, in Tissue::advance
+    void operator()(const Aggregate&) {}  // charges are a tissue of their own: reference/aggregate/tissue.cpp
 
     T deviated(T value, T deviation, std::size_t cell) const {
         if (deviation == T(0)) return value;

@@ -27,7 +27,7 @@ TEST_CASE("malformed rules say where and what is allowed") {
     const ErrorCase cases[] = {
         {grid, "rule always",
          "t.pex:4:12: the line ends too early; allowed here: react, change, set, map, polarize, divide, move, expand, "
-         "and"},
+         "aggregate, and"},
         {grid, "rule sometimes and",
          "t.pex:4:6: unknown word 'sometimes'; allowed here: always, if, probability, from, until, every, offset"},
         {grid, "rule from 5 until 3.5 always and",
@@ -58,7 +58,8 @@ TEST_CASE("malformed rules say where and what is allowed") {
         {grid, "rule probability -1 and",
          "t.pex:4:18: '-1' is out of range; the probability must be a number from 0 to 1"},
         {grid, "rule always jump",
-         "t.pex:4:13: unknown word 'jump'; allowed here: react, change, set, map, polarize, divide, move, expand, and"},
+         "t.pex:4:13: unknown word 'jump'; allowed here: react, change, set, map, polarize, divide, move, expand, "
+         "aggregate, and"},
         {grid, "rule always and and", "t.pex:4:17: 'and' follows a statement that is complete"},
         {grid, "rule always react U W turing alpha 16 beta 12", "t.pex:4:21: unknown chemical 'W'; defined here: U, V"},
         {grid, "rule always react U U turing alpha 16 beta 12",

@@ -35,7 +35,7 @@ TEST_CASE("what is no line of the language says where and what is allowed") {
          "define chemical U //anisotropic\ncreate sqr_grid 3 3\nrule always change U conc 1//0\nrule always chnage U "
          "conc 1",
          "t.pex:4:13: unknown word 'chnage'; allowed here: react, change, set, map, polarize, divide, move, expand, "
-         "and; did you mean 'change'?"},
+         "aggregate, and; did you mean 'change'?"},
     };
 
     for (const ErrorCase& one : cases) check_error(one);

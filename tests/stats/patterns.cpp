@@ -2,6 +2,7 @@
 #include "core/error.hpp"
 #include "core/philox.hpp"
 #include "stats/course.hpp"
+#include "stats/dimension.hpp"
 #include "stats/statistics.hpp"
 
 #include <catch2/catch.hpp>
@@ -139,4 +140,26 @@ TEST_CASE("what patterns do in time") {
     const Pattern one = stripes(10, 0), other = stripes(10, 0, 128, 96);
     CHECK(change(one.grid(), other.grid()) == 0.0);
     CHECK(change(one.grid(), stripes(11, 0).grid()) > 0.1);
+}
+
+TEST_CASE("the dimension of what is known: filled, a line, a sieve, a carpet, nothing") {
+    const auto of = [](std::size_t side, const auto& holds) {
+        const auto cell = [&](double x, double y) {
+            return holds(static_cast<unsigned>(x), static_cast<unsigned>(y)) ? 1.0 : 0.0;
+        };
+        return dimension_of(Pattern(side + 5, side + 3, cell).grid(false));
+    };
+    CHECK(of(256, [](unsigned x, unsigned y) { return x < 256 && y < 256; }) == Approx(2.0));
+    CHECK(of(256, [](unsigned x, unsigned y) { return x == y + 1 && x < 256; }) == Approx(1.0).margin(0.01));
+    CHECK(of(256, [](unsigned x, unsigned y) { return x < 256 && y < 256 && (x & y) == 0; }) == Approx(std::log2(3.0)));
+    const auto carpet = [](unsigned x, unsigned y) {
+        if (x >= 243 || y >= 243) return false;
+        for (; x > 0 || y > 0; x /= 3, y /= 3) {
+            if (x % 3 == 1 && y % 3 == 1) return false;
+        }
+        return true;
+    };
+    CHECK(of(243, carpet) == Approx(std::log(8.0) / std::log(3.0)).margin(0.06));
+    CHECK(of(30, [](unsigned, unsigned) { return false; }) == 0.0);
+    CHECK(of(30, [](unsigned x, unsigned y) { return x < 15 && y < 15; }) == 0.0);
 }

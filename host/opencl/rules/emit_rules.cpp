@@ -261,6 +261,7 @@ private:
 
     void act(const And&) {}
     void act(const Expand&) {}
+    void act(const Aggregate&) {}
 
     RuleText& out_;
     Numbers& numbers_;

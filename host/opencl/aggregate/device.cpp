@@ -1,0 +1,209 @@
+// See device.hpp.
+#include "opencl/aggregate/device.hpp"
+
+#include "core/inverse_root.hpp"
+#include "opencl/device/launch.hpp"
+#include "opencl/device/program.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <limits>
+
+namespace pelage {
+
+namespace {
+
+constexpr std::size_t block = 256;   // places, as in the kernels
+constexpr std::size_t most_new = 8;  // candidates that one charge makes
+
+struct DeviceParticle {  // struct pelage_particle of kernels/aggregate/terms.cl
+    cl_float eta, pull, x, y;
+    cl_ulong draw;
+};
+
+struct DeviceFront {  // struct pelage_front of kernels/aggregate/step.cl
+    cl_int places = 0, left = 0, charges = 0;
+    cl_uint last = no_site;
+    cl_int added = 0;
+    cl_int unused = 0;
+    cl_long lowest = 0, highest = 0;
+    cl_int place[most_new]{};
+    cl_uint site[most_new]{};
+};
+
+cl_uint packed(std::uint32_t site, std::size_t columns) {
+    if (site == no_site) return no_site;
+    return static_cast<cl_uint>(site % columns | site / columns << 16);
+}
+
+std::uint32_t unpacked(cl_uint site, std::size_t columns) {
+    return static_cast<std::uint32_t>((site >> 16) * columns + (site & 0x7fffu));
+}
+
+std::string source() {
+    return Source().file("aggregate/terms.cl").file("aggregate/step.cl").file("aggregate/device.cl").str();
+}
+
+std::string options(std::size_t items) { return fmt::format("-DPELAGE_ITEMS={}", items); }
+
+// A power of two. A processor takes one item a group, whose loops its compiler turns into vectors.
+std::size_t items_of(const Session& session) {
+    const std::size_t asked = session.options().work_group;
+    const std::size_t wanted = asked != 0 ? asked : session.info().processor() ? 1 : 256;
+    std::size_t items = 1;
+    while (2 * items <= std::min({wanted, session.info().max_work_group, block})) items *= 2;
+    return items;
+}
+
+std::size_t groups_of(const Session& session) {
+    const std::size_t units = std::max<std::size_t>(1, session.info().compute_units);
+    return session.options().units == 0 ? units : std::min(units, session.options().units);
+}
+
+// With no more places than these, one group is done sooner than several that must be launched for each part of a step.
+std::size_t places_of_one_group(const Session& session) {
+    if (session.options().path == Path::step) return 0;
+    if (session.options().path != Path::automatic) return std::numeric_limits<std::size_t>::max();
+    return session.info().processor() ? 40'000 : 8'000;
+}
+
+}  // namespace
+
+DeviceAggregate::DeviceAggregate(std::shared_ptr<const Session> session)
+    : session_(std::move(session)),
+      items_(items_of(*session_)),
+      groups_(groups_of(*session_)),
+      places_of_one_group_(places_of_one_group(*session_)) {
+    while (!build()) items_ /= 2;
+    front_ = session_->buffer(sizeof(DeviceFront), "front of an aggregate");
+    particles_ = session_->buffer(most_particles_at_once * sizeof(DeviceParticle), "particles");
+    chosen_ = session_->buffer(most_particles_at_once * sizeof(cl_uint), "chosen sites");
+    ranges_ = session_->buffer(groups_ * 2 * sizeof(cl_long), "ranges of potentials");
+    parts_ = session_->buffer(groups_ * most_new * sizeof(cl_long), "parts of sums");
+}
+
+// False where a group of so many work-items is too large for one of the kernels, whose sums are cut for it.
+bool DeviceAggregate::build() {
+    const cl::Program program = session_->build(source(), options(items_));
+    gather_ = cl::Kernel(program, "pelage_aggregate_gather");
+    weigh_ = cl::Kernel(program, "pelage_aggregate_weigh");
+    choose_ = cl::Kernel(program, "pelage_aggregate_choose");
+    together_ = cl::Kernel(program, "pelage_aggregate_together");
+    add_up_ = cl::Kernel(program, "pelage_aggregate_add_up");
+    const auto fits = [&](const cl::Kernel& kernel) {
+        return kernel.getWorkGroupInfo<CL_KERNEL_WORK_GROUP_SIZE>(session_->device()) >= items_;
+    };
+    return items_ == 1 || std::ranges::all_of(std::array{gather_, weigh_, choose_, together_, add_up_}, fits);
+}
+
+void DeviceAggregate::fill(const cl::Buffer& to, const void* from, std::size_t bytes) const {
+    if (bytes > 0) session_->queue().enqueueWriteBuffer(to, CL_TRUE, 0, bytes, from);
+}
+
+// Keeps what the buffer holds.
+void DeviceAggregate::enlarge(cl::Buffer& buffer, std::size_t bytes, const char* what) {
+    cl::Buffer larger = session_->buffer(bytes, what);
+    if (buffer() != nullptr) {
+        const std::size_t old = std::min(bytes, buffer.getInfo<CL_MEM_SIZE>());
+        session_->queue().enqueueCopyBuffer(buffer, larger, 0, 0, old);
+        session_->queue().finish();
+    }
+    buffer = larger;
+}
+
+// Room for what one batch may add.
+void DeviceAggregate::reserve(const Front& front) {
+    const std::size_t places = front.places().size() + most_new * most_particles_at_once;
+    if (places > place_room_) {
+        place_room_ = (places + places / 2 + block) / block * block;
+        enlarge(places_, place_room_ * sizeof(cl_uint), "candidates");
+        enlarge(sums_, place_room_ * sizeof(cl_long), "sums of candidates");
+        enlarge(blocks_, place_room_ / block * sizeof(cl_ulong), "sums of weights");
+        enlarge(left_, place_room_ * sizeof(cl_int), "places left");
+    }
+    const std::size_t charges = front.charges().size() + most_particles_at_once;
+    if (charges > charge_room_) {
+        charge_room_ = charges + charges / 2;
+        enlarge(charges_, charge_room_ * sizeof(cl_uint), "charges");
+    }
+}
+
+void DeviceAggregate::write_front(const Front& front) {
+    DeviceFront state;
+    state.places = static_cast<cl_int>(front.places().size());
+    state.left = static_cast<cl_int>(front.left().size());
+    state.charges = static_cast<cl_int>(front.charges().size());
+    fill(front_, &state, sizeof state);
+}
+
+void DeviceAggregate::bind(const Front& front) {
+    Arguments(*session_, gather_).add(places_, sums_, charges_, front_, particles_, 0, ranges_, parts_);
+    Arguments(*session_, weigh_).add(places_, sums_, front_, particles_, 0, ranges_, parts_, blocks_);
+    Arguments(*session_, choose_)
+        .add(places_, sums_, charges_, front_, particles_, 0, blocks_, left_, sites_, chosen_, front.columns(),
+             front.rows());
+    Arguments(*session_, together_)
+        .add(places_, sums_, charges_, front_, particles_, 0, ranges_, parts_, blocks_, left_, sites_, chosen_,
+             front.columns(), front.rows());
+}
+
+void DeviceAggregate::upload(const Front& front, const std::vector<std::int64_t>& sums) {
+    reserve(front);
+    const auto pack = [&](const std::vector<std::uint32_t>& sites) {
+        std::vector<cl_uint> made(sites.size());
+        std::ranges::transform(sites, made.begin(), [&](std::uint32_t site) { return packed(site, front.columns()); });
+        return made;
+    };
+    const std::vector<cl_uint> places = pack(front.places()), charges = pack(front.charges());
+    fill(places_, places.data(), places.size() * sizeof(cl_uint));
+    fill(charges_, charges.data(), charges.size() * sizeof(cl_uint));
+    fill(left_, front.left().data(), front.left().size() * sizeof(cl_uint));
+    const std::size_t bytes = front.sites().size() * sizeof(cl_int);
+    sites_ = session_->buffer(bytes, "sites of an aggregate");
+    fill(sites_, front.sites().data(), bytes);
+    if (!sums.empty()) return fill(sums_, sums.data(), sums.size() * sizeof(cl_long));
+    Arguments(*session_, add_up_).add(places_, sums_, charges_, places.size(), charges.size());
+    session_->launch(add_up_, cl::NDRange(groups_ * items_), cl::NDRange(items_));
+}
+
+void DeviceAggregate::launch_step(std::size_t step, bool choose) {
+    gather_.setArg(5, static_cast<cl_int>(step));
+    weigh_.setArg(4, static_cast<cl_int>(step));
+    choose_.setArg(5, static_cast<cl_int>(step));
+    session_->launch(gather_, cl::NDRange(groups_ * items_), cl::NDRange(items_));
+    session_->launch(weigh_, cl::NDRange(groups_ * items_), cl::NDRange(items_));
+    if (choose) session_->launch(choose_, cl::NDRange(items_), cl::NDRange(items_));
+}
+
+std::vector<std::uint32_t> DeviceAggregate::grow(const Front& front, std::span<const Particle> particles) {
+    reserve(front);
+    write_front(front);
+    std::vector<DeviceParticle> asked;
+    for (const Particle& one : particles) asked.push_back({one.eta, one.pull, one.x, one.y, one.draw});
+    fill(particles_, asked.data(), asked.size() * sizeof(DeviceParticle));
+    bind(front);
+    if (front.places().size() <= places_of_one_group_) {
+        together_.setArg(5, static_cast<cl_int>(asked.size()));
+        session_->launch(together_, cl::NDRange(items_), cl::NDRange(items_));
+    } else {
+        for (std::size_t step = 0; step < asked.size(); ++step) launch_step(step, true);
+        launch_step(asked.size() - 1, false);  // the sums take in the last charge, and what it made candidates of
+    }
+    std::vector<cl_uint> chosen(asked.size());
+    session_->queue().enqueueReadBuffer(chosen_, CL_TRUE, 0, chosen.size() * sizeof(cl_uint), chosen.data());
+    std::vector<std::uint32_t> sites;
+    for (const cl_uint site : chosen) {
+        if (site != no_site) sites.push_back(unpacked(site, front.columns()));
+    }
+    return sites;
+}
+
+std::vector<std::int64_t> DeviceAggregate::sums(std::size_t places) const {
+    std::vector<std::int64_t> found(places);
+    session_->queue().enqueueReadBuffer(sums_, CL_TRUE, 0, places * sizeof(cl_long), found.data());
+    return found;
+}
+
+}  // namespace pelage

@@ -1,0 +1,89 @@
+// See check.hpp: aggregates, whose sites and potentials are those of the reference after every stretch.
+#include "core/prepattern.hpp"
+#include "language/parse.hpp"
+#include "reference/backend.hpp"
+#include "verify/check.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+
+namespace pelage::verify {
+
+namespace {
+
+constexpr std::array<std::uint64_t, 5> stretches{1, 2, 60, 257, 340};
+constexpr std::size_t stretches_if_small = 3;
+
+struct AggregateCase {
+    const char* name;
+    const char* size;
+    const char* seed;  // where charges are at the start
+    const char* rules;
+    bool quick = false;
+};
+
+// Seeds in a corner, few and many; no more candidates than a block of weights holds, and several blocks of them; every
+// parameter, as a number and as an expression; a lattice that is full in the end.
+constexpr std::array<AggregateCase, 6> aggregate_cases{{
+    {"aggregates/point", "61 47", "COLUMN == 30 and ROW == 23", "rule always aggregate order phi eta 3\n", true},
+    {"aggregates/corner", "97 5", "COLUMN == 0 and ROW == 0", "rule always aggregate order phi eta 1\n"},
+    {"aggregates/even", "40 37", "RANDOM < 0.02", "rule always aggregate order phi eta 0\n"},
+    {"aggregates/cross", "121 120", "COLUMN == 60 or ROW == 60", "rule always aggregate order phi eta 10 radius 2\n"},
+    {"aggregates/towards", "90 71", "abs(hypot(COLUMN - 45, ROW - 35) - 15) < 0.5",
+     "rule always aggregate order phi eta (1 + ITERATION / 100) radius (2 + TIME / 50)"
+     " towards (ITERATION - 40) 30 strength 3\n",
+     true},
+    {"aggregates/full", "19 11", "COLUMN == 4 and ROW > 7",
+     "rule every 2 always aggregate order phi eta 6\nrule from 50 always aggregate order phi eta 2.5\n", true},
+}};
+
+Experiment experiment_of(const AggregateCase& one) {
+    const std::string text =
+        fmt::format("define chemical order\ndefine chemical phi\nuse seed 7\ncreate charges {}\n"
+                    "set cells where ({}) chemical order conc (1 + mod(COLUMN + ROW, 3))\n{}",
+                    one.size, one.seed, one.rules);
+    return parse_experiment(text, one.name, ".");
+}
+
+Outcome check_aggregate(const AggregateCase& one, Place& place) {
+    const std::size_t group = std::min<std::size_t>(8, place.device().max_work_group);
+    std::vector<Setting> settings{{}, {.path = Path::shared}};
+    if (place.full()) {
+        settings.push_back({.work_group = group});
+        settings.push_back({.path = Path::shared, .work_group = group});
+    }
+    Outcome outcome;
+    const Experiment experiment = experiment_of(one);
+    const Snapshot initial = initial_state(experiment, Precision::single_);
+    const auto expected = reference_backend(Precision::single_)->make_tissue(experiment, initial);
+    std::vector<std::unique_ptr<Tissue>> found;
+    for (const Setting& setting : settings) found.push_back(place.backend(setting).make_tissue(experiment, initial));
+    for (const std::uint64_t steps :
+         std::span(stretches).first(place.small() ? stretches_if_small : stretches.size())) {
+        expected->advance(steps);
+        const Snapshot state = expected->read();
+        for (std::size_t i = 0; i < settings.size(); ++i) {
+            found[i]->advance(steps);
+            const std::string where = settings[i].text() + (settings[i].text().empty() ? "" : ", ");
+            add(outcome.tally, state, found[i]->read(), Precision::single_,
+                fmt::format("{}iteration {}", where, state.iteration));
+        }
+    }
+    conclude(outcome);
+    return outcome;
+}
+
+}  // namespace
+
+std::vector<Check> aggregate_checks() {
+    std::vector<Check> checks;
+    for (const AggregateCase& one : aggregate_cases) {
+        checks.push_back(
+            {one.name, "aggregates", one.quick, [&one](Place& place) { return check_aggregate(one, place); }});
+    }
+    return checks;
+}
+
+}  // namespace pelage::verify
