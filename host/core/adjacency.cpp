@@ -1,27 +1,16 @@
 // See adjacency.hpp.
 #include "core/adjacency.hpp"
 
-#include <optional>
-
 namespace pelage {
 
 namespace {
-
-// The place `offset` further along a line of `count` places; empty beyond an edge.
-std::optional<std::size_t> step(std::size_t place, int offset, std::size_t count, Boundary boundary) {
-    if (offset == 0) return place;
-    const bool leaves = offset < 0 ? place == 0 : place + 1 == count;
-    if (!leaves) return offset < 0 ? place - 1 : place + 1;
-    if (boundary != Boundary::wrap) return std::nullopt;
-    return offset < 0 ? count - 1 : 0;
-}
 
 // The entry for the neighbour of (column, row) in that direction, if there is one.
 void add(LatticeAdjacency& made, const Lattice& lattice, std::size_t column, std::size_t row, Direction to) {
     const bool diagonal = to.up != 0 && to.right != 0;
     if ((to.up == 0 && to.right == 0) || (lattice.stencil == Stencil::five_point && diagonal)) return;
-    const auto there = step(row, to.up, lattice.rows, lattice.boundary);
-    const auto across = step(column, to.right, lattice.columns, lattice.boundary);
+    const auto there = place_along(row, to.up, lattice.rows, lattice.boundary);
+    const auto across = place_along(column, to.right, lattice.columns, lattice.boundary);
     const bool outside = !there || !across;
     if (outside && lattice.boundary != Boundary::absorbing) return;
     made.indices.push_back(outside ? Adjacency::nobody
@@ -32,11 +21,27 @@ void add(LatticeAdjacency& made, const Lattice& lattice, std::size_t column, std
 
 }  // namespace
 
+std::optional<std::size_t> place_along(std::size_t place, int offset, std::size_t count, Boundary boundary) {
+    const auto length = static_cast<std::int64_t>(count);
+    const std::int64_t there = static_cast<std::int64_t>(place) + offset;
+    if (there >= 0 && there < length) return static_cast<std::size_t>(there);
+    if (boundary != Boundary::wrap) return std::nullopt;
+    return static_cast<std::size_t>((there % length + length) % length);
+}
+
+std::optional<std::size_t> place_repeated(std::size_t place, int offset, std::size_t count, Boundary boundary) {
+    const auto there = place_along(place, offset, count, boundary);
+    if (there || boundary != Boundary::no_flux) return there;
+    return offset < 0 ? 0 : count - 1;
+}
+
 double neighbour_share(const Lattice& lattice, Direction to) {
     const bool diagonal = to.up != 0 && to.right != 0;
     switch (lattice.stencil) {
-        case Stencil::own:
-            return lattice.weights[static_cast<std::size_t>(3 * (1 - to.up) + 1 + to.right)];
+        case Stencil::own: {
+            const int reach = lattice.reach();
+            return lattice.weights[static_cast<std::size_t>((2 * reach + 1) * (reach - to.up) + reach + to.right)];
+        }
         case Stencil::nine_point:
             return diagonal ? 1.0 / 6 : 4.0 / 6;
         case Stencil::sims:
@@ -51,16 +56,18 @@ std::vector<int> row_order(const Lattice& lattice, std::size_t row) {
         if (row == 0) return {1, 0};
         if (row + 1 == lattice.rows) return {0, -1};
     }
+    if (lattice.reach() == 2) return {-2, -1, 0, 1, 2};
     return {-1, 0, 1};
 }
 
 LatticeAdjacency lattice_adjacency(const Lattice& lattice) {
     LatticeAdjacency made;
+    const int reach = lattice.reach();
     for (std::size_t row = 0; row < lattice.rows; ++row) {
         const std::vector<int> order = row_order(lattice, row);
         for (std::size_t column = 0; column < lattice.columns; ++column) {
             for (const int up : order) {
-                for (const int right : {-1, 0, 1}) {
+                for (int right = -reach; right <= reach; ++right) {
                     add(made, lattice, column, row, direction(right, up));
                 }
             }

@@ -5,6 +5,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 namespace pelage {
@@ -22,7 +23,7 @@ struct Adjacency {
     std::size_t count(std::size_t cell) const { return offsets[cell + 1] - offsets[cell]; }
 };
 
-// From a cell of a lattice to its neighbour: -1, 0 or 1 each.
+// From a cell of a lattice to its neighbour: -1, 0 or 1 each, or up to 2 where the stencil reaches so far.
 struct Direction {
     std::int8_t right = 0;
     std::int8_t up = 0;
@@ -30,6 +31,7 @@ struct Direction {
 constexpr Direction direction(int right, int up) {
     return {static_cast<std::int8_t>(right), static_cast<std::int8_t>(up)};
 }
+constexpr bool is_beside(Direction to) { return to.right >= -1 && to.right <= 1 && to.up >= -1 && to.up <= 1; }
 
 // A neighbour's weight in the lattice's stencil; five_point has no diagonal ones.
 double neighbour_share(const Lattice&, Direction);
@@ -38,11 +40,19 @@ struct LatticeAdjacency : Adjacency {
     std::vector<Direction> directions;  // one an entry
 };
 
-// The eight neighbours of each cell, or four under five_point; beyond an edge that lets nothing through there is none.
+// The eight neighbours of each cell, four under five_point, or 24 under 25 weights of one's own; beyond an edge that
+// lets nothing through there is none.
 LatticeAdjacency lattice_adjacency(const Lattice&);
 
-// The order in which a row takes the rows around it, as offsets of -1, 0, 1: from below upwards; but the published
-// program takes its own row last in the bottom row and first in the top row of a grid that is not closed to a torus.
+// The place `offset` further along a line of `count` places; empty beyond an edge.
+std::optional<std::size_t> place_along(std::size_t place, int offset, std::size_t count, Boundary);
+
+// The same where an edge that lets nothing through repeats its place; empty beyond an absorbing edge.
+std::optional<std::size_t> place_repeated(std::size_t place, int offset, std::size_t count, Boundary);
+
+// The order in which a row takes the rows around it, as offsets -1, 0, 1 or -2 to 2: from below upwards; but the
+// published program takes its own row last in the bottom row and first in the top row of a grid that is not closed to a
+// torus.
 std::vector<int> row_order(const Lattice&, std::size_t row);
 
 }  // namespace pelage

@@ -35,9 +35,27 @@ enum class Stencil {
     own          // Experiment::weights
 };
 
-// Of a stencil of the user's own: three rows from the upper to the lower one, each from left to right. The middle is
-// minus the sum of the others. They need not be symmetric, and may be negative.
-using StencilWeights = std::array<double, 9>;
+// Of a stencil of the user's own: three or five rows from the upper to the lower one, each of as many numbers from left
+// to right. The middle is minus the sum of the others. They need not be symmetric, and may be negative.
+using StencilWeights = std::vector<double>;
+
+// How far the neighbours are that square weights reach: 1 of 9, 2 of 25, 3 of 49.
+constexpr int reach_of(std::size_t weights) { return weights > 25 ? 3 : weights > 9 ? 2 : 1; }
+
+// Weights with a name, which expressions take the sum of cells with: NAME(U). They lie as StencilWeights do, 9, 25 or
+// 49 of them, and may add up to anything.
+struct NamedStencil {
+    std::string name;
+    std::size_t line = 0;
+    StencilWeights weights;
+
+    int reach() const { return reach_of(weights.size()); }
+    double weight(int right, int up) const {
+        const int side = 2 * reach() + 1;
+        return weights[static_cast<std::size_t>(side * (reach() - up) + reach() + right)];
+    }
+};
+inline constexpr std::size_t largest_stencil_count = 32;
 
 enum class Boundary {
     no_flux,   // the edge element repeats itself outward
@@ -379,7 +397,8 @@ struct Experiment {
     std::vector<Phase> phases;
 
     Stencil stencil = Stencil::nine_point;  // of a matrix; a sqr_grid is always moore
-    StencilWeights weights{};               // of Stencil::own
+    StencilWeights weights;                 // of Stencil::own
+    std::vector<NamedStencil> stencils;     // that expressions name
     Domain domain;
     std::size_t division_limit = 0;  // a cell with more neighbours does not divide; 0: no limit
 

@@ -25,6 +25,7 @@ enum class Quantity {
     laplacian,      // of chemical Operand::index; see docs/language.md
     gradient_x,
     gradient_y,
+    stencil,    // Experiment::stencils[Operand::stencil] over the cells around, of chemical Operand::index
     field,      // Experiment::fields[Operand::index]
     expression  // Experiment::expressions[Operand::index]
 };
@@ -51,6 +52,7 @@ struct Operand {
     Quantity quantity = Quantity::number;
     double value = 0.0;
     std::size_t index = 0;
+    std::size_t stencil = 0;  // of Quantity::stencil alone
 
     static Operand number(double v) { return {Quantity::number, v, 0}; }
     static Operand concentration(std::size_t chemical) { return {Quantity::concentration, 0.0, chemical}; }

@@ -21,8 +21,9 @@ public:
 
     double laplacian(std::size_t cell) const {
         double sum = 0.0;
-        for (const int up : {-1, 0, 1}) {
-            for (const int right : {-1, 0, 1}) {
+        const int reach = lattice_.reach();
+        for (int up = -reach; up <= reach; ++up) {
+            for (int right = -reach; right <= reach; ++right) {
                 if (up != 0 && right != 0 && lattice_.stencil == Stencil::five_point) continue;
                 sum += neighbour_share(lattice_, direction(right, up)) * difference(cell, right, up);
             }
@@ -31,20 +32,26 @@ public:
     }
     double gradient_x(std::size_t cell) const { return 0.5 * (difference(cell, 1, 0) - difference(cell, -1, 0)); }
     double gradient_y(std::size_t cell) const { return 0.5 * (difference(cell, 0, 1) - difference(cell, 0, -1)); }
+    double stencil(const NamedStencil& stencil, std::size_t cell) const {
+        double sum = 0.0;
+        const int reach = stencil.reach();
+        for (int up = -reach; up <= reach; ++up) {
+            for (int right = -reach; right <= reach; ++right) {
+                const auto column = place_repeated(cell % columns_, right, columns_, lattice_.boundary);
+                const auto row = place_repeated(cell / columns_, up, rows_, lattice_.boundary);
+                if (column && row) sum += stencil.weight(right, up) * values_[*row * columns_ + *column];
+            }
+        }
+        return sum;
+    }
 
 private:
     // Theirs less the cell's own.
     double difference(std::size_t cell, int right, int up) const {
-        const auto column = moved(cell % columns_, right, columns_);
-        const auto row = moved(cell / columns_, up, rows_);
+        const auto column = place_along(cell % columns_, right, columns_, lattice_.boundary);
+        const auto row = place_along(cell / columns_, up, rows_, lattice_.boundary);
         if (column && row) return values_[*row * columns_ + *column] - values_[cell];
         return lattice_.boundary == Boundary::absorbing ? -values_[cell] : 0.0;
-    }
-    std::optional<std::size_t> moved(std::size_t place, int by, std::size_t count) const {
-        const bool leaves = by < 0 ? place == 0 : by > 0 && place + 1 == count;
-        if (!leaves) return place + static_cast<std::size_t>(by);  // wraps as unsigned numbers do
-        if (lattice_.boundary != Boundary::wrap) return std::nullopt;
-        return by < 0 ? count - 1 : 0;
     }
 
     const Lattice& lattice_;
@@ -120,6 +127,11 @@ private:
         const Around around(*scene_.lattice, scene_, scene_.conc->at(operand.index));
         if (operand.quantity == Quantity::laplacian)
             return each([&](std::size_t cell) { return around.laplacian(cell); });
+        if (operand.quantity == Quantity::stencil) {
+            if (scene_.stencils == nullptr) throw Error("an expression names a stencil that is not defined");
+            const NamedStencil& stencil = scene_.stencils->at(operand.stencil);
+            return each([&](std::size_t cell) { return around.stencil(stencil, cell); });
+        }
         if (operand.quantity == Quantity::gradient_x)
             return each([&](std::size_t cell) { return around.gradient_x(cell); });
         return each([&](std::size_t cell) { return around.gradient_y(cell); });

@@ -24,6 +24,7 @@ struct Scene {
     const Snapshot* state = nullptr;   // mappings, births, neighbours
     double time = 0.0;                 // of the state
     const Lattice* lattice = nullptr;  // with columns and rows of the scene: laplacian and gradients of `conc`
+    const std::vector<NamedStencil>* stencils = nullptr;
     // Of RANDOM: the key, and two words of the counter; the others are the cell's id and 0.
     std::int64_t seed = 1;
     std::uint32_t place = 0;

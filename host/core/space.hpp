@@ -22,9 +22,11 @@ struct Lattice {
     Boundary boundary = Boundary::no_flux;
     Stencil stencil = Stencil::nine_point;
     Arithmetic arithmetic = Arithmetic::fused;
-    bool expandable = false;   // `expand` may insert columns and rows
-    StencilWeights weights{};  // of Stencil::own
-    bool charges = false;      // the cells are sites of an aggregate, which grows by one site at a time
+    bool expandable = false;  // `expand` may insert columns and rows
+    StencilWeights weights;   // of Stencil::own
+    bool charges = false;     // the cells are sites of an aggregate, which grows by one site at a time
+
+    int reach() const { return stencil == Stencil::own ? reach_of(weights.size()) : 1; }  // of the stencil
 };
 
 // Cells with centres anywhere in the plane; those nearer than 3 radii are neighbours.

@@ -31,12 +31,13 @@ double stiffness(const Lattice& lattice) {
     if (lattice.stencil != Stencil::own) return stiffness(lattice.stencil);
     // |1 + h l| <= 1 for the eigenvalue l of each wave: h <= -2 Re l / |l|^2.
     constexpr int waves = 64;
+    const int reach = lattice.reach();
     double largest = 0.0;
     for (int kx = -waves + 1; kx <= waves; ++kx) {
         for (int ky = -waves + 1; ky <= waves; ++ky) {
             std::complex<double> eigenvalue = 0.0;
-            for (const int up : {-1, 0, 1}) {
-                for (const int right : {-1, 0, 1}) {
+            for (int up = -reach; up <= reach; ++up) {
+                for (int right = -reach; right <= reach; ++right) {
                     const double phase = std::numbers::pi * (kx * right + ky * up) / waves;
                     if (up != 0 || right != 0)
                         eigenvalue += neighbour_share(lattice, direction(right, up)) * (std::polar(1.0, phase) - 1.0);

@@ -28,6 +28,7 @@ public:
         check_phases();
         validate_start(experiment_);
         check_fields();
+        check_stencils();
         for (const Rule& rule : experiment_.rules) check_rule(rule);
         check_charges();
         for (const Output& output : experiment_.outputs) check_output(output);
@@ -44,6 +45,27 @@ private:
         for (const Expression& expression : output.expressions) {
             check_expression(expression);
             each_operand(expression, [&](const Operand& part) { check_operand(part); });
+        }
+    }
+
+    void check_stencils() const {
+        const auto square = [](std::size_t count) { return count == 9 || count == 25 || count == 49; };
+        for (const NamedStencil& stencil : experiment_.stencils) {
+            if (!square(stencil.weights.size()))
+                fail(fmt::format("stencil '{}' must have 9, 25 or 49 weights", stencil.name));
+            for (const double weight : stencil.weights) {
+                if (!std::isfinite(weight)) fail(fmt::format("a weight of stencil '{}' is not finite", stencil.name));
+            }
+        }
+        if (lattice() == nullptr || lattice()->stencil != Stencil::own) return;
+        const std::size_t weights = lattice()->weights.size();
+        if (weights != 9 && weights != 25) fail("a stencil of one's own must have 9 or 25 weights");
+        if (weights == 9) return;
+        for (const Chemical& chemical : experiment_.chemicals) {
+            if (chemical.anisotropic)
+                fail(fmt::format(
+                    "chemical '{}' is anisotropic, which needs a stencil of the cells beside; this one is 5x5",
+                    chemical.name));
         }
     }
 
@@ -151,6 +173,11 @@ private:
             case Quantity::gradient_y:
                 check_chemical(operand.index, "a rule");
                 if (lattice() == nullptr) fail("laplacian and gradients need a lattice; these are free cells");
+                break;
+            case Quantity::stencil:
+                check_chemical(operand.index, "a rule");
+                if (operand.stencil >= experiment_.stencils.size()) fail("a rule names a stencil that is not defined");
+                if (lattice() == nullptr) fail("a stencil needs a lattice; these are free cells");
                 break;
             case Quantity::field:
                 if (operand.index >= experiment_.fields.size()) fail("a rule reads a field that is not defined");

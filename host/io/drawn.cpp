@@ -26,6 +26,7 @@ public:
         scene_.state = &state;
         scene_.time = experiment.time_at(state.iteration);
         scene_.lattice = std::get_if<Lattice>(&space_);
+        scene_.stencils = &experiment.stencils;
         scene_.seed = experiment.run_seed();
         scene_.purpose = purpose::output;
         scene_.fields = &fields_;

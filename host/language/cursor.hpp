@@ -6,6 +6,7 @@
 #include "core/parameter.hpp"
 #include "language/words.hpp"
 
+#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <limits>
@@ -61,6 +62,7 @@ public:
 
     bool done() const { return next_ + 1 == tokens_.size(); }
     const Token& peek() const { return tokens_[next_]; }  // an empty one at the end of the line
+    const Token& peek_behind() const { return tokens_[std::min(next_ + 1, tokens_.size() - 1)]; }  // the one after it
     const Token& next();
     bool take(std::string_view word);  // true, having passed it, when it comes next
     void expect(std::string_view word);

@@ -130,13 +130,19 @@ void parse_domain(Script& script, Cursor& cursor) {
     domain.height = cursor.number("the domain's height", positive);
 }
 
-// Nine numbers, the upper row first.
-StencilWeights parse_weights(Cursor& cursor) {
+// So many numbers, the upper row first.
+StencilWeights parse_weights(Cursor& cursor, std::size_t count) {
+    StencilWeights weights(count);
+    const std::string what = fmt::format("one of {} weights", count == 9 ? "nine" : std::to_string(count));
+    for (double& weight : weights) weight = cursor.number(what);
+    return weights;
+}
+
+StencilWeights parse_own_weights(Cursor& cursor, std::size_t count) {
     const Token& first = cursor.peek();
-    StencilWeights weights{};
+    StencilWeights weights = parse_weights(cursor, count);
     double sum = 0.0, size = 0.0;
-    for (double& weight : weights) {
-        weight = cursor.number("one of nine weights");
+    for (const double weight : weights) {
         sum += weight;
         size += std::fabs(weight);
     }
@@ -145,17 +151,35 @@ StencilWeights parse_weights(Cursor& cursor) {
         cursor.fail(first,
                     fmt::format("the weights add up to {:g}; diffusion makes nothing: the one in the middle must be "
                                 "minus the sum of the others, {:g}",
-                                sum, weights[4] - sum));
+                                sum, weights[count / 2] - sum));
     return weights;
 }
 
-constexpr std::array<std::string_view, 5> stencil_words{"moore", "nine-point", "five-point", "sims", "3x3"};
+constexpr std::array<std::string_view, 6> stencil_words{"moore", "nine-point", "five-point", "sims", "3x3", "5x5"};
+
+void parse_named_stencil(Script& script, Cursor& cursor) {
+    static constexpr std::array<std::string_view, 3> sizes{"3x3", "5x5", "7x7"};
+    static constexpr std::array<std::size_t, 3> counts{9, 25, 49};
+    const Token& name = cursor.next();
+    check_name(script, cursor, name, "stencil");
+    auto& stencils = script.experiment.stencils;
+    if (stencils.size() == largest_stencil_count)
+        cursor.fail(name, fmt::format("one stencil too many; at most {} are allowed", largest_stencil_count));
+    const std::size_t count = counts[cursor.choose(sizes)];
+    stencils.push_back({std::string(name.text), cursor.line(), parse_weights(cursor, count)});
+    script.needs_lattice(cursor, name);
+}
 
 void parse_stencil(Script& script, Cursor& cursor, const Token& word) {
-    static constexpr std::array stencils{Stencil::moore, Stencil::nine_point, Stencil::five_point, Stencil::sims,
-                                         Stencil::own};
-    script.experiment.stencil = stencils[cursor.choose(stencil_words)];
-    if (script.experiment.stencil == Stencil::own) script.experiment.weights = parse_weights(cursor);
+    static constexpr std::array stencils{Stencil::moore, Stencil::nine_point, Stencil::five_point,
+                                         Stencil::sims,  Stencil::own,        Stencil::own};
+    const std::string_view ahead = cursor.peek_behind().text;
+    if (!cursor.done() && (ahead == "3x3" || ahead == "5x5" || ahead == "7x7"))
+        return parse_named_stencil(script, cursor);
+    const std::size_t chosen = cursor.choose(stencil_words);
+    script.experiment.stencil = stencils[chosen];
+    if (script.experiment.stencil == Stencil::own)
+        script.experiment.weights = parse_own_weights(cursor, chosen == 5 ? 25 : 9);
     script.needs_matrix(cursor, word);
 }
 

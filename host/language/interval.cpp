@@ -60,6 +60,7 @@ public:
             case Quantity::laplacian:
             case Quantity::gradient_x:
             case Quantity::gradient_y:
+            case Quantity::stencil:
             case Quantity::field:
             case Quantity::expression:
                 return {};

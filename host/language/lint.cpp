@@ -30,7 +30,7 @@ constexpr std::array lints{
     Entry{"no-shape", find_shapes_that_are_none},  Entry{"unused-chemical", find_unused_chemicals},
     Entry{"unused-mapping", find_unused_mappings}, Entry{"unused-colour", find_unused_colours},
     Entry{"equal-outputs", find_equal_outputs},    Entry{"unused-parameter", find_unused_parameters},
-    Entry{"unused-field", find_unused_fields}};
+    Entry{"unused-field", find_unused_fields},     Entry{"unused-stencil", find_unused_stencils}};
 
 }  // namespace
 

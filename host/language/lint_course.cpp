@@ -115,6 +115,9 @@ void find_repeated_settings(const Sheet& sheet, Reporter& report) {
     std::map<std::pair<std::string_view, std::size_t>, std::size_t> latest;  // line of a setting in its phase
     for (const Outline::Statement& statement : sheet.outline.statements) {
         if (std::ranges::find(single_settings, statement.what) == single_settings.end()) continue;
+        if (std::ranges::find(sheet.experiment.stencils, statement.line, &NamedStencil::line) !=
+            sheet.experiment.stencils.end())
+            continue;
         const bool phased = statement.what == "define time_step";
         const auto [before, fresh] = latest.try_emplace({statement.what, phased ? statement.phase : 0}, statement.line);
         if (fresh) continue;

@@ -37,6 +37,7 @@ public:
     std::set<std::size_t> chemicals;
     std::set<std::size_t> mappings;  // that are read
     std::set<std::size_t> fields;
+    std::set<std::size_t> stencils;
 
 private:
     void read(const Expression& expression) {
@@ -57,6 +58,10 @@ private:
             case Quantity::laplacian:
             case Quantity::gradient_x:
             case Quantity::gradient_y:
+                chemicals.insert(operand.index);
+                return;
+            case Quantity::stencil:
+                stencils.insert(operand.stencil);
                 chemicals.insert(operand.index);
                 return;
             default:
@@ -175,6 +180,15 @@ void find_unused_fields(const Sheet& sheet, Reporter& report) {
         const PlaceField& field = sheet.experiment.fields[i];
         if (field.name.empty() || uses.fields.count(i) > 0) continue;
         report(sheet.place(field.line, field.name), fmt::format("nothing reads the field '{}'", field.name));
+    }
+}
+
+void find_unused_stencils(const Sheet& sheet, Reporter& report) {
+    const Uses uses(sheet.experiment);
+    for (std::size_t i = 0; i < sheet.experiment.stencils.size(); ++i) {
+        const NamedStencil& stencil = sheet.experiment.stencils[i];
+        if (uses.stencils.count(i) > 0) continue;
+        report(sheet.place(stencil.line, stencil.name), fmt::format("no rule takes the stencil '{}'", stencil.name));
     }
 }
 

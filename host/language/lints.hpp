@@ -62,6 +62,7 @@ void find_odd_starts(const Sheet&, Reporter&);
 void find_unused_chemicals(const Sheet&, Reporter&);
 void find_unused_mappings(const Sheet&, Reporter&);
 void find_unused_fields(const Sheet&, Reporter&);
+void find_unused_stencils(const Sheet&, Reporter&);
 void find_unused_colours(const Sheet&, Reporter&);
 void find_equal_outputs(const Sheet&, Reporter&);
 void find_unused_parameters(const Sheet&, Reporter&);

@@ -1,4 +1,5 @@
 // Parameters of rules, and the names that stand for them.
+#include "core/functions.hpp"
 #include "core/scene.hpp"
 #include "language/expression.hpp"
 #include "language/statements.hpp"
@@ -61,6 +62,7 @@ bool needs_lattice(Quantity quantity) {
         case Quantity::laplacian:
         case Quantity::gradient_x:
         case Quantity::gradient_y:
+        case Quantity::stencil:
             return true;
         default:
             return false;
@@ -95,10 +97,16 @@ public:
         if (operand) check_scope(at, operand->quantity);
         return operand;
     }
-    bool takes_chemical(std::string_view word) const override { return find_of_chemical(word) != nullptr; }
+    bool takes_chemical(std::string_view word) const override {
+        return find_of_chemical(word) != nullptr || script_.find_stencil(word).has_value();
+    }
     std::optional<Operand> of_chemical(const Token& word, const Token& name) const override {
         const auto chemical = script_.find_chemical(name.text);
         if (!chemical) return std::nullopt;
+        if (const auto stencil = script_.find_stencil(word.text)) {
+            check_scope(word, Quantity::stencil);
+            return Operand{Quantity::stencil, 0.0, *chemical, *stencil};
+        }
         const Quantity quantity = find_of_chemical(word.text)->quantity;
         check_scope(word, quantity);
         if (needs_lattice(quantity)) script_.needs_lattice(cursor_, word);
@@ -112,6 +120,9 @@ public:
         std::vector<std::string_view> names;
         for (const QuantityWord& word : of_chemicals) {
             if (visible(word.quantity) && scope_ != Scope::field) names.push_back(word.text);
+        }
+        for (const NamedStencil& one : script_.experiment.stencils) {
+            if (visible(Quantity::stencil)) names.push_back(one.name);
         }
         return names;
     }
@@ -239,6 +250,7 @@ void check_new(const Script& script, const Cursor& cursor, const Token& name, st
     taken(script.find_chemical(name.text).has_value(), "chemical");
     taken(script.find_mapping(name.text).has_value(), "mapping");
     taken(script.find_field(name.text).has_value(), "field");
+    taken(script.find_stencil(name.text).has_value(), "stencil");
     taken(cursor.parameter(name) != nullptr, "parameter");
 }
 
@@ -258,9 +270,14 @@ void check_name(const Script& script, const Cursor& cursor, const Token& name, s
                     fmt::format("'{}' cannot name a {}; names are a letter, then up to 31 letters, digits, _ or -{}",
                                 shortened(text), what, number ? ", and no number" : ""));
     }
-    const bool mistakable = what == "parameter" || what == "field";  // chemicals of published files may be named so
+    const bool mistakable =
+        what == "parameter" || what == "field" || what == "stencil";  // chemicals of published files may be named so
     if (mistakable && std::ranges::find(own_words, text) != own_words.end())
         cursor.fail(name, fmt::format("'{}' cannot name a {}; it is a word of expressions", text, what));
+    const bool taken = find_of_chemical(text) != nullptr ||
+                       std::ranges::find(function_table(), text, &FunctionFacts::name) != function_table().end();
+    if (what == "stencil" && taken)
+        cursor.fail(name, fmt::format("'{}' cannot name a stencil; it is a function", text));
     if (find_word(text) != nullptr) {
         cursor.fail(name, fmt::format("'{}' cannot name a {}; it is a word of rules", text, what));
     }

@@ -45,6 +45,12 @@ std::optional<std::size_t> Script::find_field(std::string_view name) const {
     return static_cast<std::size_t>(found - experiment.fields.begin());
 }
 
+std::optional<std::size_t> Script::find_stencil(std::string_view name) const {
+    const auto found = std::ranges::find(experiment.stencils, name, &NamedStencil::name);
+    if (found == experiment.stencils.end()) return std::nullopt;
+    return static_cast<std::size_t>(found - experiment.stencils.begin());
+}
+
 std::vector<std::string_view> Script::chemical_names() const {
     std::vector<std::string_view> names;
     for (const Chemical& one : experiment.chemicals) {

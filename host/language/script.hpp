@@ -66,6 +66,7 @@ public:
     std::optional<std::size_t> find_chemical(std::string_view) const;
     std::optional<std::size_t> find_mapping(std::string_view) const;
     std::optional<std::size_t> find_field(std::string_view) const;
+    std::optional<std::size_t> find_stencil(std::string_view) const;
     std::string chemicals_defined() const;  // "defined here: U, V"
     std::vector<std::string_view> chemical_names() const;
 

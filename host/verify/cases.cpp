@@ -117,6 +117,10 @@ std::vector<Case> diffusion_cases() {
                 {fmt::format("diffusion/{}/{}", word(stencil), word(boundary)), make, sharp_sizes(), 60, {}});
         }
     }
+    for (const Boundary boundary : boundaries) {
+        const auto make = [=](Size size) { return diffusing(Lab::wide(size.columns, size.rows, boundary)); };
+        cases.push_back({fmt::format("diffusion/5x5/{}", word(boundary)), make, sharp_sizes(), 60, {}});
+    }
     for (const bool wrap : {false, true}) {
         const auto make = [=](Size size) { return diffusing(Lab::grid(size.columns, size.rows, wrap)); };
         cases.push_back({fmt::format("diffusion/published/{}", wrap ? "wrap" : "open"), make, sharp_sizes(), 60, {}});

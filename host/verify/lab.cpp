@@ -26,6 +26,16 @@ Lab Lab::matrix(std::size_t columns, std::size_t rows, Boundary boundary, Stenci
     return lab;
 }
 
+Lab Lab::wide(std::size_t columns, std::size_t rows, Boundary boundary) {
+    Lab lab = matrix(columns, rows, boundary, Stencil::own);
+    StencilWeights& weights = lab.experiment_.weights;
+    weights.assign(25, 0.0);
+    double sum = 0.0;
+    for (std::size_t i = 0; i < weights.size(); ++i) sum += weights[i] = static_cast<double>(1 + i * 7 % 29) / 128;
+    weights[12] -= sum;
+    return lab;
+}
+
 Lab Lab::grid(std::size_t columns, std::size_t rows, bool wrap) {
     Lab lab;
     start(lab.experiment_);

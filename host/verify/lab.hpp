@@ -19,6 +19,7 @@ inline constexpr Bounds unbounded{-infinite, infinite};
 class Lab {
 public:
     static Lab matrix(std::size_t columns, std::size_t rows, Boundary, Stencil = Stencil::nine_point);
+    static Lab wide(std::size_t columns, std::size_t rows, Boundary);  // with 25 weights, all different
     static Lab grid(std::size_t columns, std::size_t rows, bool wrap);
 
     // Number of the new chemical. Deviations make the start uneven.

@@ -45,6 +45,8 @@ struct Draft {
     std::vector<ChemicalDraft> chemicals;
     std::vector<MappingDraft> mappings;
     std::vector<std::string> fields;
+    std::vector<std::string> stencils;
+    bool wide = false;             // neighbours are those of 25 weights: no chemical is anisotropic
     std::size_t growth_rules = 0;  // `divide` and `expand` so far
     std::string text;
 

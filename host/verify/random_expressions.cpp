@@ -15,9 +15,19 @@ namespace pelage::verify {
 
 namespace {
 
+// What is read of the cells around.
+std::string around(Draft& draft) {
+    std::vector<std::string> words{"laplacian", "gradient_x", "gradient_y"};
+    words.insert(words.end(), draft.stencils.begin(), draft.stencils.end());
+    words.insert(words.end(), draft.stencils.begin(), draft.stencils.end());
+    const std::string& word = words[draft.dice.below(words.size())];
+    return fmt::format("{}({})", word, draft.any_chemical().name);
+}
+
 std::string leaf(Draft& draft, ExpressionScope scope) {
     Dice& dice = draft.dice;
     const bool rule = scope == ExpressionScope::rule;
+    if (rule && draft.lattice() && dice.chance(10)) return around(draft);
     const unsigned fields = static_cast<unsigned>(draft.fields.size());
     const unsigned mappings = rule ? static_cast<unsigned>(draft.mappings.size()) : 0;
     switch (dice.weighted({rule ? 12u : 0u, rule ? 3u : 0u, 6, 4, rule ? 5u : 0u, 2, 2 * fields, mappings})) {
@@ -103,7 +113,7 @@ public:
     }
     std::vector<std::string_view> chemical_words() const override { return {}; }
     bool takes_chemical(std::string_view word) const override {
-        return word == "diff" || word == "laplacian" || word.starts_with("gradient_");
+        return word == "diff" || word == "laplacian" || word.starts_with("gradient_") || word.starts_with("around_");
     }
     std::optional<Operand> of_chemical(const language::Token&, const language::Token& name) const override {
         return find(name);

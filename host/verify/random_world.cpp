@@ -38,15 +38,31 @@ void draw_weights(Draft& draft) {
     constexpr double unit = 64.0;
     Lattice lattice;
     lattice.stencil = Stencil::own;
+    draft.wide = draft.dice.chance(40);
+    lattice.weights.resize(draft.wide ? 25 : 9);
+    const std::size_t middle = lattice.weights.size() / 2;
     double sum = 0.0;
     for (std::size_t i = 0; i < lattice.weights.size(); ++i) {
-        if (i == 4) continue;
+        if (i == middle) continue;
         lattice.weights[i] = static_cast<double>(1 + draft.dice.below(20)) / unit;
         sum += lattice.weights[i];
     }
-    lattice.weights[4] = -sum;
-    draft.line(fmt::format("define stencil 3x3 {}", fmt::join(lattice.weights, " ")));
+    lattice.weights[middle] = -sum;
+    draft.line(fmt::format("define stencil {} {}", draft.wide ? "5x5" : "3x3", fmt::join(lattice.weights, " ")));
     draft.stiffness = stiffness(lattice);
+}
+
+// Sums of cells around, which rules name.
+void define_stencils(Draft& draft) {
+    while (draft.stencils.size() < 2 && draft.dice.chance(15)) {
+        const std::size_t side = draft.dice.pick({3u, 5u, 7u});
+        std::vector<double> weights(side * side);
+        for (double& weight : weights)
+            weight = draft.dice.chance(40) ? 0.0 : (static_cast<double>(draft.dice.below(33)) - 16.0) / 64.0;
+        const std::string name = fmt::format("around_{}", draft.stencils.size());
+        draft.line(fmt::format("define stencil {0} {1}x{1} {2}", name, side, fmt::join(weights, " ")));
+        draft.stencils.push_back(name);
+    }
 }
 
 void draw_stencil(Draft& draft) {
@@ -122,7 +138,7 @@ void define_chemical(Draft& draft, const std::string& name, const RandomPicture*
         chemical.floor = -std::numeric_limits<double>::infinity();
         options.emplace_back("floor none");
     }
-    if (dice.chance(18)) options.emplace_back("anisotropic");
+    if (dice.chance(18) && !draft.wide) options.emplace_back("anisotropic");
     if (picture != nullptr && dice.chance(60)) options.push_back(picture_option(draft, *picture, chemical));
     draft.line(words({"define chemical", chemical.name, draft.shuffled(options)}));
     draft.chemicals.push_back(chemical);
@@ -204,6 +220,7 @@ void draw_world(Draft& draft) {
         picture = &pictures[draft.dice.below(pictures.size())];
     }
     if (draft.kind == TissueKind::matrix) draw_stencil(draft);
+    if (draft.lattice()) define_stencils(draft);
     draw_time_step(draft);
     if (!draft.lattice()) draw_domain(draft);
     define_chemicals(draft, picture);

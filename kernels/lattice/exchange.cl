@@ -1,11 +1,18 @@
 // Diffusion neighbour by neighbour: for the published arithmetic, for rates that differ between cells, and gradients.
-// The code around visits up = -1, 0, 1 in the order of the arithmetic and side = -1, 0, 1; `there` is the offset of
-// that row in a plane. Neighbours lie 2 apart.
+// The code around visits up = -1, 0, 1 in the order of the arithmetic and side = -1, 0, 1, or from -2 to 2 where
+// PELAGE_REACH says so; `there` is the offset of that row in a plane. Neighbours lie 2 apart.
 
 #ifdef PELAGE_DOUBLE
 #define PELAGE_SQRT_8 0x1.6a09e667f3bcdp+1
 #else
 #define PELAGE_SQRT_8 0x1.6a09e6p+1f
+#endif
+
+#if PELAGE_REACH > 1
+#define THEIRS(plane) pelage_around((plane) + there, x, columns, side)
+#define BESIDE (abs(side) <= 1 && abs(up) <= 1)
+#else
+#define BESIDE 1
 #endif
 
 #ifndef THEIRS
@@ -27,6 +34,9 @@ static inline mask pelage_inside(int x, int columns, int side, int beyond_rows) 
     return ALL_TRUE;
 #else
     if (beyond_rows) return ALL_FALSE;
+#if PELAGE_REACH > 1
+    if (abs(side) == 2) return side < 0 ? !LANE_OF(0) & !LANE_OF(1) : !LANE_OF(columns - 1) & !LANE_OF(columns - 2);
+#endif
     if (side < 0) return !LANE_OF(0);
     if (side > 0) return !LANE_OF(columns - 1);
     return ALL_TRUE;
@@ -109,7 +119,7 @@ static inline real pelage_mean(global const scalar* means, long plane, long at, 
 #define LOOK_LAPLACIAN(i) lap##i = SELECT(MEETS, fma(neighbour_share, THEIRS(a##i) - c##i, lap##i), lap##i);
 
 #define LOOK_GRADIENT(i)                                                                       \
-    if (!diagonal) {                                                                           \
+    if (BESIDE && !diagonal) {                                                                 \
         const real half_step = (THEIRS(a##i) - c##i) * R((scalar)0.5f);                        \
         const real signed_step = side + up < 0 ? -half_step : half_step;                       \
         if (up == 0) slope_x##i = SELECT(MEETS, slope_x##i + signed_step, slope_x##i);         \
@@ -117,7 +127,7 @@ static inline real pelage_mean(global const scalar* means, long plane, long at, 
     }
 
 #define GRADIENT(i)                                                      \
-    {                                                                    \
+    if (BESIDE) {                                                        \
         const real difference = THEIRS(a##i) - c##i;                     \
         gx##i = SELECT(inside, gx##i + (difference * dx) / norm, gx##i); \
         gy##i = SELECT(inside, gy##i + (difference * dy) / norm, gy##i); \

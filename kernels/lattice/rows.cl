@@ -1,9 +1,14 @@
 // How a lattice lies in memory, and the boundary.
 //   PELAGE_NO_FLUX, PELAGE_WRAP or PELAGE_ABSORBING     what lies beyond the edge
+//   PELAGE_REACH       how far away neighbours are: 1, or 2 with weights of one's own
 //
 // A plane holds one value for every cell: rows of `pitch` elements, of which the first `columns` are cells and the
 // others, at least 16, are 0. Before row 0 lies a row of zeros. So what an absorbing boundary reads is in memory.
 // Planes begin 16 elements into their buffer.
+
+#ifndef PELAGE_REACH
+#define PELAGE_REACH 1
+#endif
 
 #define WHOLE_ROWS ((uintv)((uint)rows))
 #define WHOLE_COLUMNS ((uintv)((uint)columns))
@@ -53,4 +58,31 @@ static inline real pelage_right(global const scalar* row, int x, int columns) {
 
 static inline real pelage_side(global const scalar* row, int x, int columns, int side) {
     return side < 0 ? pelage_left(row, x, columns) : side > 0 ? pelage_right(row, x, columns) : LOAD(row + x);
+}
+
+// The place in a line of `count` that stands for one up to 3 beyond its ends; -1 beyond an absorbing end.
+static inline int pelage_place_around(int place, int count) {
+#if defined(PELAGE_WRAP)
+    return (place % count + count) % count;
+#elif defined(PELAGE_NO_FLUX)
+    return clamp(place, 0, count - 1);
+#else
+    return place < 0 || place >= count ? -1 : place;
+#endif
+}
+
+#define ROW_AROUND(row) ((long)pelage_place_around(row, rows) * pitch)
+
+// The cells `side` places, up to 3, beside those at x .. x + PELAGE_WIDTH - 1 of a row.
+static inline real pelage_around(global const scalar* row, int x, int columns, int side) {
+    real v = LOAD(row + x + side);
+#ifndef PELAGE_ABSORBING
+    for (int k = 0; k < 3; ++k) {
+        if (k >= abs(side)) break;
+        const int column = side < 0 ? k : columns - 1 - k;
+        if (column < x || column >= x + PELAGE_WIDTH) continue;
+        v = SELECT(LANE_OF(column), R(row[pelage_place_around(column + side, columns)]), v);
+    }
+#endif
+    return v;
 }

@@ -16,7 +16,12 @@
 #define GET_Y R(places[pitch + row])
 
 // The row `up` of this one, and which neighbours lie inside.
+#if PELAGE_REACH > 1
+#define THERE(up) ROW_AROUND(row + (up))
+#else
 #define THERE(up) ROW_AT(row + (up))
+#endif
+#define AROUND(cells, side, up) pelage_around((cells) + ROW_AROUND(row + (up)), x, columns, side)
 #define INSIDE(side, beyond) pelage_inside(x, columns, side, beyond)
 
 // Elements past the last column stay 0.

@@ -1,6 +1,7 @@
 // See exchange.hpp. Cells of a lattice lie 2 apart: the vector between them is (±2 or 0, ±2 or 0).
 #include "reference/lattice/exchange.hpp"
 
+#include "core/subnormal.hpp"
 #include "reference/lattice/stencil.hpp"
 #include "reference/neighbours/gather.hpp"
 
@@ -156,7 +157,7 @@ void follow_gradients(const Medium& medium, const std::vector<std::int32_t>& req
         Vector<T> gradient{T(0), T(0)};
         for (std::size_t entry = adjacency.offsets[cell]; entry < adjacency.offsets[cell + 1]; ++entry) {
             const std::uint32_t there = adjacency.indices[entry];
-            if (there == Adjacency::nobody) continue;
+            if (there == Adjacency::nobody || !is_beside(adjacency.directions[entry])) continue;
             const Vector<T> d = vector_to<T>(adjacency.directions[entry]);
             const T difference = conc[there] - conc[cell];
             gradient.x = gradient.x + (difference * d.x) / d.length();
@@ -198,14 +199,35 @@ template <class T>
 std::vector<T> gradient_of(const Medium& medium, bool up, const std::vector<T>& values) {
     return summed(medium.adjacency, values, [&](T sum, std::size_t entry, T difference) {
         const Direction to = medium.adjacency.directions[entry];
-        if ((up ? to.right : to.up) != 0) return sum;
+        if (!is_beside(to) || (up ? to.right : to.up) != 0) return sum;
         return (up ? to.up : to.right) < 0 ? sum - difference * T(0.5) : sum + difference * T(0.5);
     });
+}
+
+template <class T>
+std::vector<T> stencil_of(const Medium& medium, const NamedStencil& stencil, const std::vector<T>& values) {
+    const Lattice& lattice = medium.lattice;
+    const int reach = stencil.reach();
+    std::vector<T> sums(values.size(), T(0));
+    for (int up = -reach; up <= reach; ++up) {
+        for (int right = -reach; right <= reach; ++right) {
+            if (stencil.weight(right, up) == 0.0) continue;
+            const T weight = in_precision<T>(stencil.weight(right, up));
+            for (std::size_t cell = 0; cell < sums.size(); ++cell) {
+                const auto row = place_repeated(cell / lattice.columns, up, lattice.rows, lattice.boundary);
+                const auto column = place_repeated(cell % lattice.columns, right, lattice.columns, lattice.boundary);
+                const T value = row && column ? values[*row * lattice.columns + *column] : T(0);
+                sums[cell] = std::fma(weight, value, sums[cell]);
+            }
+        }
+    }
+    return sums;
 }
 
 #define PELAGE_INSTANTIATE(T)                                                                        \
     template std::vector<T> laplacian_of(const Medium&, const std::vector<T>&);                      \
     template std::vector<T> gradient_of(const Medium&, bool, const std::vector<T>&);                 \
+    template std::vector<T> stencil_of(const Medium&, const NamedStencil&, const std::vector<T>&);   \
     template void diffuse_uniform(const Medium&, std::size_t, T, const State<T>&, State<T>&);        \
     template void diffuse_per_cell(const Medium&, std::size_t, bool, T, const State<T>&, State<T>&); \
     template void follow_gradients(const Medium&, const std::vector<std::int32_t>&, const State<T>&, State<T>&);

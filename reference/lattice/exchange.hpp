@@ -20,6 +20,8 @@ template <class T>
 std::vector<T> laplacian_of(const Medium&, const std::vector<T>& values);
 template <class T>
 std::vector<T> gradient_of(const Medium&, bool up, const std::vector<T>& values);
+template <class T>
+std::vector<T> stencil_of(const Medium&, const NamedStencil&, const std::vector<T>& values);
 
 // next += what `chemical` exchanges in one iteration, where rates are the same in all cells.
 template <class T>

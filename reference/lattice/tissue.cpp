@@ -30,6 +30,9 @@ public:
     std::vector<T> gradient(const std::vector<T>& values, bool up) const override {
         return gradient_of(medium_, up, values);
     }
+    std::vector<T> stencil(const NamedStencil& stencil, const std::vector<T>& values) const override {
+        return stencil_of(medium_, stencil, values);
+    }
 
 private:
     const Medium& medium_;

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "core/error.hpp"
+#include "core/experiment.hpp"
 
 #include <vector>
 
@@ -22,6 +23,11 @@ public:
     // the cell's own.
     virtual std::vector<T> gradient(const std::vector<T>&, [[maybe_unused]] bool up) const {
         throw Error("free cells have no gradient along rows and columns");
+    }
+    // For each cell the sum of the weights times the values of the cells around, from the lower left on; weights of 0
+    // are left out, and an edge that lets nothing through repeats its cells outward.
+    virtual std::vector<T> stencil(const NamedStencil&, const std::vector<T>&) const {
+        throw Error("free cells have no stencil");
     }
 };
 

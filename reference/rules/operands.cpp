@@ -82,6 +82,8 @@ Column<T> Sight<T>::column(const Operand& operand) {
         case Quantity::gradient_x:
         case Quantity::gradient_y:
             return Column<T>(ground.gradient(old.conc[operand.index], operand.quantity == Quantity::gradient_y));
+        case Quantity::stencil:
+            return Column<T>(ground.stencil(experiment.stencils[operand.stencil], old.conc[operand.index]));
         case Quantity::field:
             if (!ground.fields.empty()) return Column<T>(ground.fields[operand.index]);
             return computed(std::get<ComputedField>(experiment.fields[operand.index].source).expression);

@@ -53,6 +53,10 @@ TEST_CASE("stiffness of one's own weights: of waves that turn as well as shrink"
         return stiffness(lattice);
     };
     CHECK(of({0, 1, 0, 1, -4, 1, 0, 1, 0}) == Approx(stiffness(Stencil::five_point)));
+    std::vector<double> wide(25, 0.0);  // five-point of every second cell
+    wide[2] = wide[10] = wide[14] = wide[22] = 1.0;
+    wide[12] = -4.0;
+    CHECK(of(wide) == Approx(stiffness(Stencil::five_point)));
     CHECK(of({0.05, 0.2, 0.05, 0.2, -1, 0.2, 0.05, 0.2, 0.05}) == Approx(stiffness(Stencil::sims)));
     // Upwind advection: l = exp(-i k) - 1, whose |l|^2 / -Re l is 2 for every k; the Courant number may be 1.
     CHECK(of({0, 0, 0, 1, -1, 0, 0, 0, 0}) == Approx(2.0));

@@ -18,7 +18,7 @@ using namespace pelage;
 constexpr double no_bound = std::numeric_limits<double>::infinity();
 
 // [1 2 1; 2 -12 2; 1 2 1] / 16
-constexpr StencilWeights published_weights{0.0625, 0.125, 0.0625, 0.125, -0.75, 0.125, 0.0625, 0.125, 0.0625};
+const StencilWeights published_weights{0.0625, 0.125, 0.0625, 0.125, -0.75, 0.125, 0.0625, 0.125, 0.0625};
 
 Experiment texture(const std::string& model, std::size_t columns, std::size_t rows) {
     Neural neural;

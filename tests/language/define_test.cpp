@@ -84,6 +84,20 @@ TEST_CASE("stencils of a matrix") {
     const Experiment own = parsed_on_matrix("define parameter w 1.5\ndefine stencil 3x3 0 1 0 w (-3 - w) 1 0 1 0");
     CHECK(own.stencil == Stencil::own);
     CHECK(own.weights == StencilWeights{0, 1, 0, 1.5, -4.5, 1, 0, 1, 0});
+
+    const std::string wide = "0 0 -1 0 0  0 0 16 0 0  -1 16 -60 16 -1  0 0 16 0 0  0 0 -1 0 0";
+    const Experiment far = parsed_on_matrix("define stencil 5x5 " + wide);
+    CHECK(far.stencil == Stencil::own);
+    CHECK(far.weights.size() == 25);
+    CHECK(far.weights[11] == 16);
+    const Experiment named =
+        parsed_on_matrix("define stencil far 5x5 " + wide + "\ndefine stencil up 3x3 0 1 0 0 0 0 0 0 0");
+    CHECK(named.stencil == Stencil::nine_point);
+    REQUIRE(named.stencils.size() == 2);
+    CHECK(named.stencils[0].name == "far");
+    CHECK(named.stencils[0].weight(0, 2) == -1);
+    CHECK(named.stencils[1].weight(0, 1) == 1);
+    CHECK(named.stencils[1].weight(0, -1) == 0);
 }
 
 TEST_CASE("use chemical sets concentration, rate, both or none") {

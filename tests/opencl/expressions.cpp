@@ -99,6 +99,80 @@ TEST_CASE("Laplacians and gradients in expressions have the reference's bits on 
                 options);
 }
 
+namespace {
+
+// 25 or 49 weights, all different and some of them 0; `balance`: they add up to 0.
+std::string weights(std::size_t count, bool balance) {
+    std::string text;
+    double sum = 0.0;
+    for (std::size_t i = 0; i < count; ++i) {
+        double weight = i % 5 == 3 && !balance ? 0.0 : static_cast<double>(1 + i * 7 % 29) / 512;
+        if (balance && i == count / 2) weight = 0.0;
+        sum += weight;
+    }
+    for (std::size_t i = 0; i < count; ++i) {
+        const double weight = balance && i == count / 2 ? -sum
+                              : i % 5 == 3 && !balance  ? 0.0
+                                                        : static_cast<double>(1 + i * 7 % 29) / 512;
+        text += fmt::format(" {}", weight);
+    }
+    return text;
+}
+
+}  // namespace
+
+TEST_CASE("Stencils of five by five cells, and those with names, have the reference's bits at every edge") {
+    struct Kind {
+        Path path;
+        std::string boundary;
+        std::size_t columns, rows, width;
+        Precision precision;
+    };
+    const std::vector<Kind> kinds{{Path::step, "absorbing", 37, 23, 0, Precision::single_},
+                                  {Path::step, "wrap", 1, 3, 0, Precision::single_},
+                                  {Path::step, "no-flux", 2, 1, 1, Precision::double_},
+                                  {Path::shared, "wrap", 37, 23, 0, Precision::single_},
+                                  {Path::shared, "no-flux", 17, 31, 1, Precision::single_},
+                                  {Path::shared, "absorbing", 5, 4, 0, Precision::double_},
+                                  {Path::streamed, "no-flux", 37, 23, 0, Precision::single_},
+                                  {Path::tiled, "wrap", 18, 9, 0, Precision::single_}};
+    const Kind& kind = kinds[GENERATE(range<std::size_t>(0, 8))];
+    OpenclOptions options;
+    options.path = kind.path;
+    options.precision = kind.precision;
+    options.width = kind.width;
+    check_equal("define stencil 5x5" + weights(25, true) + "\ndefine stencil broad 7x7" + weights(49, false) +
+                    "\ndefine stencil lean 3x3 0 0 0 -0.5 0.125 0.75 0 1 0\n" + chemicals + starts +
+                    fmt::format("create matrix {} {} {}\n", kind.columns, kind.rows, kind.boundary) +
+                    "rule always react U by (0.3 * laplacian(W) + 0.1 * broad(V) - lean(U)) V by (0.2 * lean(V) - V)\n"
+                    "rule if (broad(U) > 1) set W conc (broad(V) - lean(U) + gradient_x(U) - gradient_y(V))\n"
+                    "rule every 3 always polarize U conc\n"
+                    "rule if NEIGHBORS > 11 change W conc (0.01 * NEIGHBORS)\n",
+                options);
+}
+
+TEST_CASE("a stencil with a name takes what its weights say, and Laplacians of higher order are of higher order") {
+    // In a torus cos(k x) is an eigenfunction: (-cos 2k + 16 cos k - 15) / 6 of the fourth-order five by five cross.
+    const Experiment experiment = parse_experiment(
+        "define chemical U floor none\ndefine chemical V floor none\n"
+        "define stencil cross 5x5 0 0 -1 0 0 0 0 16 0 0 -1 16 -60 16 -1 0 0 16 0 0 0 0 -1 0 0\n"
+        "define stencil right 3x3 0 0 0 0 0 1 0 0 0\n"
+        "use chemical U conc (cos(2 * PI * COLUMN / 16))\ncreate matrix 16 4 wrap\n"
+        "rule always set V conc (cross(U) / 12)\nrule always set U conc (right(U))\nstop at 1\n",
+        "cross.pex", ".");
+    OpenclOptions options;
+    options.precision = Precision::double_;
+    const auto tissue = opencl_backend(options)->make_tissue(experiment, initial_state(experiment, options.precision));
+    tissue->advance(1);
+    const Snapshot state = tissue->read();
+    const double k = std::acos(-1.0) / 8, eigenvalue = (-std::cos(2 * k) + 16 * std::cos(k) - 15) / 6;
+    CHECK(eigenvalue == Approx(-k * k).epsilon(5e-4));
+    for (std::size_t column = 0; column < 16; ++column) {
+        CHECK(state.conc[1][column] == Approx(eigenvalue * std::cos(k * static_cast<double>(column))).margin(1e-12));
+        CHECK(state.conc[0][column] == Approx(std::cos(k * static_cast<double>(column + 1))).margin(1e-12));
+    }
+}
+
 TEST_CASE("Expressions on a published grid and on free cells have the reference's bits") {
     OpenclOptions options;
     check_equal(

@@ -50,6 +50,7 @@ std::string why_not_streamed(const DeviceInfo& device, const RuleNeeds& needs, c
 }
 
 Answer best(const DeviceInfo& device, const RuleNeeds& needs, const Work& work) {
+    if (needs.wide) return {device.processor() ? Path::shared : Path::step, "stencils are taken in single iterations"};
     if (needs.networks && !device.processor()) return {Path::step, "networks, not memory, set its pace"};
     const bool graphics = device.type == "gpu" && !device.software_rasteriser();
     if (graphics && device.own_local_memory) return {Path::tiled, "the device has local memory of its own"};
@@ -111,6 +112,7 @@ RuleNeeds rule_needs(const Experiment& experiment, const LatticePlan& plan, cons
     needs.draws = use.random;
     needs.polarizes = !use.polarizes.empty();
     needs.uneven_rates = std::ranges::find(plan.rates, RateKind::per_cell) != plan.rates.end();
+    needs.wide = plan.reach() > 1 || !use.surrounds.empty();
     needs.fields = fused_fields(experiment, plan, use);
     return needs;
 }
@@ -155,7 +157,9 @@ Choice choose(const DeviceInfo& device, const RuleNeeds& needs, const Work& work
     const bool automatic = options.path == Path::automatic;
     Choice choice;
     choice.width = lattice_width(device, options);
-    const Answer wanted = automatic ? best(device, needs, work) : Answer{options.path, "as asked for"};
+    const bool fused = options.path == Path::streamed || options.path == Path::tiled;
+    const bool free = automatic || (needs.wide && fused);
+    const Answer wanted = free ? best(device, needs, work) : Answer{options.path, "as asked for"};
     Answer answer = allowed(wanted, device, options);
     Cut cut = cut_of(answer.path, device, needs, work, options, choice.width);
     if (cut.bytes > device.local_memory) {

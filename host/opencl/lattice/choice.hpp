@@ -24,6 +24,7 @@ struct RuleNeeds {
     bool draws = false;         // random numbers
     bool polarizes = false;     // polarities follow gradients
     bool uneven_rates = false;  // diffusion rates differ between cells
+    bool wide = false;          // cells are read that are not beside: fused iterations have no such margins
     FusedFields fields;
 };
 RuleNeeds rule_needs(const Experiment&, const LatticePlan&, const RuleUse&);

@@ -200,6 +200,7 @@ std::size_t own_rates(const LatticePlan& plan) {
 std::string lattice_settings(const LatticePlan& plan, std::size_t width) {
     std::string text = fmt::format("#define PELAGE_WIDTH {}\n#define {}\n#define {}\n", width,
                                    boundary_word(plan.boundary), stencil_word(plan.stencil));
+    if (plan.reach() > 1) text += fmt::format("#define PELAGE_REACH {}\n", plan.reach());
     if (plan.arithmetic == Arithmetic::published) text += "#define PELAGE_PUBLISHED\n";
     return text;
 }

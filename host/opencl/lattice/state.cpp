@@ -22,7 +22,9 @@ std::vector<double> rounded(const std::vector<double>& values, bool is_double) {
 }
 
 // How many of the `reach` places around `at` lie within `count`, itself included.
-std::size_t within(std::size_t at, std::size_t count) { return (at > 0 ? 1u : 0u) + 1u + (at + 1 < count ? 1u : 0u); }
+std::size_t within(std::size_t at, std::size_t count, std::size_t reach) {
+    return std::min(at, reach) + 1 + std::min(count - 1 - at, reach);
+}
 
 }  // namespace
 
@@ -107,10 +109,11 @@ void LatticeState::set_rate(std::size_t chemical, double rate) {
 std::vector<std::int32_t> LatticeState::count_neighbours() const {
     std::vector<std::int32_t> counts(grid_.cells());
     const bool five = plan_.stencil == Stencil::five_point;
+    const auto reach = static_cast<std::size_t>(plan_.reach());
     for (std::size_t cell = 0; cell < counts.size(); ++cell) {
         const bool open = plan_.boundary != Boundary::no_flux;
-        const std::size_t across = open ? 3 : within(cell % grid_.columns, grid_.columns);
-        const std::size_t up = open ? 3 : within(cell / grid_.columns, grid_.rows);
+        const std::size_t across = open ? 2 * reach + 1 : within(cell % grid_.columns, grid_.columns, reach);
+        const std::size_t up = open ? 2 * reach + 1 : within(cell / grid_.columns, grid_.rows, reach);
         counts[cell] = static_cast<std::int32_t>(five ? across + up - 2 : across * up - 1);
     }
     return counts;

@@ -2,6 +2,7 @@
 #include "opencl/lattice/step.hpp"
 
 #include "opencl/device/launch.hpp"
+#include "opencl/device/rule_options.hpp"
 #include "opencl/lattice/divided.hpp"
 #include "opencl/lattice/emit_lattice.hpp"
 #include "opencl/lattice/means.hpp"
@@ -22,6 +23,14 @@ constexpr std::size_t cells_a_strip = 2'000;
 // Work of one launch, so that the host gets its turn every few milliseconds.
 constexpr std::size_t cells_a_launch = 8'000'000;
 constexpr std::size_t steps_a_launch = 4096;
+
+// Who shares steps waits for the strips beside its own and no others: none may be lower than cells are looked at.
+void raise_strips(LaunchShape& shape, std::size_t rows, std::size_t reach) {
+    while (shape.bands > 1 && rows - (shape.bands - 1) * shape.band < reach) {
+        shape.band = divided(rows, shape.bands - 1);
+        shape.bands = divided(rows, shape.band);
+    }
+}
 
 LaunchShape shared_shape(const DeviceInfo& device, const Grid& grid, std::uint64_t count) {
     LaunchShape shape;
@@ -45,9 +54,14 @@ LaunchShape shared_shape(const DeviceInfo& device, const Grid& grid, std::uint64
 
 }  // namespace
 
-LaunchShape launch_shape(const DeviceInfo& device, const Choice& choice, const Grid& grid, std::uint64_t count) {
-    if (choice.path == Path::shared) return shared_shape(device, grid, count);
+LaunchShape launch_shape(const DeviceInfo& device, const Choice& choice, const Grid& grid, std::uint64_t count,
+                         std::size_t reach) {
     LaunchShape shape;
+    if (choice.path == Path::shared) {
+        shape = shared_shape(device, grid, count);
+        raise_strips(shape, grid.rows, reach);
+        return shape;
+    }
     shape.work_group = choice.cut.group;
     if (!device.processor()) {
         shape.across = divided(divided(grid.columns, choice.width), shape.work_group) * shape.work_group;
@@ -69,12 +83,13 @@ LatticeStep::LatticeStep(const Session& session, const Experiment& experiment, c
       shared_(session),
       means_(std::move(means)) {
     const RuleText rules = emit_rules(experiment, active, session.options().precision, test_intervals);
+    reach_ = std::max(static_cast<std::size_t>(plan.reach()), rules.use.reach);
     writes_rates_ = !rules.use.rates_written.empty();
     writes_polarity_ = !rules.use.polarizes.empty();
     const std::string source =
         lattice_source(experiment, plan, rules, bounded_chemicals(experiment), session.options().precision,
                        choice_.width, choice_.path == Path::shared, means_ != nullptr);
-    kernel_ = cl::Kernel(session.build(source), "pelage_lattice_step");
+    kernel_ = cl::Kernel(session.build(source, rule_options(session)), "pelage_lattice_step");
 }
 
 // `steps` iterations from `first` on.
@@ -97,7 +112,7 @@ void LatticeStep::set_arguments(LatticeState& state, const cl::Buffer& parameter
 void LatticeStep::enqueue(LatticeState& state, const cl::Buffer& parameters, std::uint64_t first, std::uint64_t count,
                           Pace& pace) {
     for (std::uint64_t done = 0; done < count;) {
-        const LaunchShape shape = launch_shape(session_.info(), choice_, state.grid(), count - done);
+        const LaunchShape shape = launch_shape(session_.info(), choice_, state.grid(), count - done, reach_);
         const std::uint64_t steps = std::min<std::uint64_t>(shape.steps, count - done);
         set_arguments(state, parameters, shape, first + done, steps);
         session_.launch(kernel_, cl::NDRange(shape.across, shape.bands), cl::NDRange(shape.work_group, 1));

@@ -27,8 +27,8 @@ struct LaunchShape {
 };
 
 // Of a kernel that is chosen to step or to share steps; then `bands` is the number of strips. `count`: iterations to
-// come.
-LaunchShape launch_shape(const DeviceInfo&, const Choice&, const Grid&, std::uint64_t count);
+// come. `reach`: rows up or down that a cell is looked at from.
+LaunchShape launch_shape(const DeviceInfo&, const Choice&, const Grid&, std::uint64_t count, std::size_t reach);
 
 // Carries out iterations of a lattice under one set of active rules.
 class LatticeKernel {
@@ -56,6 +56,7 @@ private:
     const Session& session_;
     Choice choice_;
     std::uint64_t seed_;
+    std::size_t reach_ = 1;
     bool writes_rates_ = false;
     bool writes_polarity_ = false;
     SharedSteps shared_;

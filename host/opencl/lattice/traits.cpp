@@ -91,8 +91,10 @@ std::string LatticeTraits::shares(Precision precision) const {
         return fmt::format("#define EDGE_SHARE {}\n#define DIAGONAL_SHARE {}\n", share(direction(1, 0)),
                            share(direction(1, 1)));
     std::string text = "#define OWN_SHARES {";
-    for (const int up : {1, 0, -1}) {
-        for (const int right : {-1, 0, 1}) text += share(direction(right, up)) + (up < 0 && right > 0 ? "}\n" : ", ");
+    const int reach = plan_.reach();
+    for (int up = reach; up >= -reach; --up) {
+        for (int right = -reach; right <= reach; ++right)
+            text += share(direction(right, up)) + (up == -reach && right == reach ? "}\n" : ", ");
     }
     return text;
 }

@@ -24,7 +24,9 @@ public:
     }                                                                          // neighbour by neighbour
     bool followed(std::size_t i) const { return use_.polarizes.contains(i); }  // by the polarity
     // Rules read how it changes from cell to cell.
-    bool looked_around(std::size_t i) const { return use_.laplacians.contains(i) || use_.gradients.contains(i); }
+    bool looked_around(std::size_t i) const {
+        return use_.laplacians.contains(i) || use_.gradients.contains(i) || use_.surrounds.contains(i);
+    }
     // Its neighbours are read one by one, for whatever reason.
     bool watched(std::size_t i) const { return visited(i) || followed(i) || looked_around(i); }
     // Only its bounds ever act on it: it is written in the last step of a launch alone.

@@ -20,7 +20,7 @@ constexpr std::size_t rounds_at_once = 8;  // between two looks at whether anyth
 constexpr int band = 16;                   // columns a work-item
 constexpr std::size_t group = 16;
 
-int reach_of(std::size_t window) {
+int window_reach(std::size_t window) {
     for (int reach = 1; reach <= 5; ++reach) {
         if (window == static_cast<std::size_t>((2 * reach + 1) * (2 * reach + 1) - 1)) return reach;
     }
@@ -45,7 +45,7 @@ std::string matrix_source() {
 }  // namespace
 
 DeviceMatrix::DeviceMatrix(const Session& session, SpatialSorting settings)
-    : session_(session), reach_(reach_of(settings.window)), rounds_(settings.rounds) {
+    : session_(session), reach_(window_reach(settings.window)), rounds_(settings.rounds) {
     const cl::Program program = session.build(matrix_source());
     load_ = cl::Kernel(program, "pelage_matrix_load");
     rows_ = cl::Kernel(program, "pelage_matrix_rows");

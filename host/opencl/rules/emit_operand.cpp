@@ -8,6 +8,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 
 namespace pelage {
@@ -80,6 +81,8 @@ std::string OperandEmitter::text(const Operand& operand) {
         case Quantity::gradient_y:
             use_.gradients.insert(operand.index);
             return fmt::format("slope_y{}", operand.index);
+        case Quantity::stencil:
+            return around(experiment_.stencils[operand.stencil], operand.index);
         case Quantity::field:
             if (!lattice_)
                 return expression(std::get<ComputedField>(experiment_.fields[operand.index].source).expression);
@@ -91,6 +94,25 @@ std::string OperandEmitter::text(const Operand& operand) {
             break;
     }
     return "R(0)";
+}
+
+// One sum after another, from the lower left on.
+std::string OperandEmitter::around(const NamedStencil& stencil, std::size_t chemical) {
+    const int reach = stencil.reach();
+    use_.surrounds.insert(chemical);
+    use_.reach = std::max(use_.reach, static_cast<std::size_t>(reach));
+    std::string sum = "R(0)";
+    for (int up = -reach; up <= reach; ++up) {
+        for (int right = -reach; right <= reach; ++right) {
+            const double weight = stencil.weight(right, up);
+            if (weight == 0.0) continue;
+            const std::string name = fmt::format("x{}_{}", rule_, parts_++);
+            pending_ += fmt::format("const real {} = fma({}, AROUND(a{}, {}, {}), {});\n", name, numbers_.real(weight),
+                                    chemical, right, up, sum);
+            sum = name;
+        }
+    }
+    return sum;
 }
 
 std::string OperandEmitter::exactly(const Operand& left, Comparison comparison, const Operand& right) {
@@ -198,6 +220,8 @@ void OperandEmitter::note_use(RuleUse& use) const {
     use.quantities.insert(use_.quantities.begin(), use_.quantities.end());
     use.laplacians.insert(use_.laplacians.begin(), use_.laplacians.end());
     use.gradients.insert(use_.gradients.begin(), use_.gradients.end());
+    use.surrounds.insert(use_.surrounds.begin(), use_.surrounds.end());
+    use.reach = std::max(use.reach, use_.reach);
     use.fields.insert(use_.fields.begin(), use_.fields.end());
     use.functions.insert(use_.functions.begin(), use_.functions.end());
     use.random = use.random || use_.random;

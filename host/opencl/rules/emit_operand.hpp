@@ -38,6 +38,7 @@ public:
 private:
     void need(std::uint32_t purpose);
     std::string expression(const Expression&);
+    std::string around(const NamedStencil&, std::size_t chemical);
 
     const Experiment& experiment_;
     bool lattice_;
