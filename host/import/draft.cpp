@@ -4,6 +4,7 @@
 #include "language/vocabulary.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 
@@ -68,6 +69,15 @@ std::string all_of(const std::vector<std::string>& lines) {
     return text;
 }
 
+std::string stencil_lines(const Draft& draft) {
+    std::string lines;
+    for (const DraftStencil& one : draft.stencils) {
+        const int side = one.weights.size() == 9 ? 3 : one.weights.size() == 25 ? 5 : 7;
+        lines += fmt::format("define stencil {0} {1}x{1} {2}\n", one.name, side, fmt::join(one.weights, " "));
+    }
+    return lines;
+}
+
 }  // namespace
 
 std::string picture_name(const Draft&, const DraftChemical& chemical, const std::string& base) {
@@ -80,7 +90,8 @@ std::string text_of(const Draft& draft, const std::string& base, const std::vect
     for (const std::string& note : notes) text += as_comment("NOTE: " + note);
     text += '\n' + parameter_lines(draft) + (draft.parameters.empty() ? "" : "\n");
     text += chemical_lines(draft, base);
-    text += fmt::format("define time_step {}\ndefine stencil {}\n\n", as_value(draft.time_step), draft.stencil);
+    text += fmt::format("define time_step {}\ndefine stencil {}\n", as_value(draft.time_step), draft.stencil);
+    text += stencil_lines(draft) + '\n';
     text += use_lines(draft);
     text += fmt::format("create matrix {} {} {}\n", draft.columns, draft.rows, draft.edge);
     text += all_of(draft.starts) + '\n' + all_of(draft.rules) + '\n';

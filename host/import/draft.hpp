@@ -24,12 +24,18 @@ struct DraftParameter {
     std::optional<std::pair<double, double>> range;
 };
 
+struct DraftStencil {  // with a name
+    std::string name;
+    std::vector<std::string> weights;  // 9, 25 or 49, the upper row first, as the language writes them
+};
+
 struct Draft {
     std::vector<std::string> heading;        // comments at the top
     std::vector<DraftParameter> parameters;  // each after those it is made of
     std::vector<DraftChemical> chemicals;
     TermRef time_step = number_term(1.0);
     std::string stencil = "nine-point";
+    std::vector<DraftStencil> stencils;
     std::size_t columns = 0;
     std::size_t rows = 0;
     std::string edge = "wrap";

@@ -173,15 +173,24 @@ TermRef FormulaReader::inside_parentheses() {
         return value;
     }
     TermRef value = expression();
-    const FormulaToken comma = now();
-    if (take(",")) {
-        refuse(comma, "a vector of several values is not carried over");
-        do (void)expression();
-        while (take(","));
-    }
+    if (now().text == ",") value = whole_vector(value);
     expect(")");
     refuse_parts_of_vectors();
     return value;
+}
+
+// Four cells of a row side by side are one formula where each part says of its cell what the first says of its own.
+TermRef FormulaReader::whole_vector(const TermRef& first) {
+    const FormulaToken comma = now();
+    int lane = 1;
+    bool alike = true;
+    for (; take(","); ++lane) {
+        meaning_.look_at_lane(lane);
+        alike = text_of(expression()) == text_of(first) && alike;
+    }
+    meaning_.look_at_lane(0);
+    if (!alike || lane != 4) refuse(comma, "a vector whose parts are different formulas is not carried over");
+    return first;
 }
 
 TermRef FormulaReader::named() {
@@ -198,6 +207,12 @@ TermRef FormulaReader::named() {
         while (take(",")) (void)expression();
         expect("]");
         return number_term(1.0);
+    }
+    if (now().text == "." && ahead(1).kind == FormulaToken::Kind::name) {
+        if (const auto part = meaning_.of_part(name, ahead(1).text)) {
+            at_ += 2;
+            return *part;
+        }
     }
     TermRef value = meaning_.of_name(name);
     refuse_parts_of_vectors();

@@ -5,6 +5,7 @@
 #include "import/problems.hpp"
 #include "import/term.hpp"
 
+#include <optional>
 #include <string_view>
 #include <vector>
 
@@ -19,6 +20,11 @@ public:
     virtual TermRef of_name(const FormulaToken&) = 0;
     virtual TermRef of_call(const FormulaToken&, std::vector<TermRef> arguments) = 0;
     virtual bool is_type(std::string_view) const { return false; }  // in casts
+    // `name.x`; empty where it cannot be told. A vector's parts are read one after another, in lane 0, 1, ...
+    virtual std::optional<TermRef> of_part(const FormulaToken&, [[maybe_unused]] std::string_view part) {
+        return std::nullopt;
+    }
+    virtual void look_at_lane(int) {}
 };
 
 class FormulaReader {
@@ -46,6 +52,7 @@ private:
     TermRef power();
     TermRef atom();
     TermRef inside_parentheses();
+    TermRef whole_vector(const TermRef& first);
     TermRef named();
     std::vector<TermRef> arguments();
     void refuse_parts_of_vectors();

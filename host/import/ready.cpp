@@ -223,9 +223,11 @@ Draft read_ready(const XmlDocument& document, Problems& problems) {
     const XmlElement& rd = *document.root.child("RD");
     const XmlElement* rule = rd.child("rule");
     if (rule == nullptr) throw Error(fmt::format("{}: the pattern has no rule", document.at(rd)));
-    ReadyPattern pattern{document, rd, *rule, problems, draft, names, {}, {}, false};
+    ReadyPattern pattern{document, rd, *rule, problems, draft, names, {}, {}, false, true, false};
     read_size(document, draft);
     pattern.one_dimensional = draft.rows == 1;
+    const std::string* format = rd.attribute("format_version");
+    pattern.of_old_format = format != nullptr && std::atoi(format->c_str()) < 6;
     const std::string* wrap = rule->attribute("wrap");
     draft.edge = wrap == nullptr || *wrap == "1" ? "wrap" : "no-flux";
     read_chemicals(pattern);

@@ -28,6 +28,8 @@ struct ReadyPattern {
     std::vector<std::string> chemicals;                     // as Ready calls them: a, b, ...
     std::map<std::string, double, std::less<>> parameters;  // as Ready calls them
     bool one_dimensional = false;
+    bool in_fours = true;  // formulas see four cells of a row at a time
+    bool of_old_format = false;
 
     double value(const std::string& name_here) const;  // of a parameter; NaN: it is none
     bool is_parameter(const std::string& name_here) const;

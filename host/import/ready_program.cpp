@@ -44,6 +44,12 @@ public:
         return program_.meaning_.of_call(token, std::move(arguments));
     }
     bool is_type(std::string_view word) const override { return is_ready_type(word); }
+    std::optional<TermRef> of_part(const FormulaToken& token, std::string_view part) override {
+        const auto found = program_.variables_.find(token.text);
+        const bool changed = found != program_.variables_.end() && !is_name(found->second);
+        return changed ? std::nullopt : program_.meaning_.of_part(token, part);
+    }
+    void look_at_lane(int lane) override { program_.meaning_.look_at_lane(lane); }
 
 private:
     void statement() {

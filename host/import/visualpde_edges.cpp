@@ -40,17 +40,21 @@ TermRef cells_of_side(std::size_t side) {
 }
 
 PdeSide side_of(const std::string& kind, const std::string& value, const std::string& key, const PdePreset& preset,
-                PdeMeaning& meaning, Problems& problems) {
+                PdeMeaning& meaning, std::size_t species, Problems& problems) {
     const std::string lower = lower_case(kind);
     if (lower == "periodic") return {};
     if (lower == "dirichlet") return {PdeSide::Kind::fixed, meaning.read(value, key)};
     if (lower == "neumann" || lower == "robin") return {PdeSide::Kind::flux, meaning.read(value, key)};
+    // The cell beyond the edge has that value.
+    if (lower == "ghost")
+        return {PdeSide::Kind::flux, over(minus(meaning.read(value, key), meaning.species(species - 1)), meaning.dx())};
     problems.refuse(fmt::format("{}: a boundary condition '{}' is not carried over", preset.at(key), kind));
     return {};
 }
 
 // "Left: Dirichlet = 0; Right: Neumann = 1; ..."
-PdeEdges mixed_edges(const PdePreset& preset, PdeMeaning& meaning, const std::string& key, Problems& problems) {
+PdeEdges mixed_edges(const PdePreset& preset, PdeMeaning& meaning, const std::string& key, std::size_t species,
+                     Problems& problems) {
     PdeEdges edges;
     std::array<bool, 4> said{};
     const std::string all = preset.field(key);
@@ -71,7 +75,7 @@ PdeEdges mixed_edges(const PdePreset& preset, PdeMeaning& meaning, const std::st
         const std::string value(equals == std::string_view::npos ? "0" : one.substr(equals + 1));
         if (said[index])
             problems.note(fmt::format("{}: a second condition for '{}' is left out", preset.at(key), *side));
-        if (!said[index]) edges[index] = side_of(kind, value, key, preset, meaning, problems);
+        if (!said[index]) edges[index] = side_of(kind, value, key, preset, meaning, species, problems);
         said[index] = true;
     }
     return edges;
@@ -84,10 +88,10 @@ std::size_t count_of_sides(bool one_dimensional) { return one_dimensional ? 2 : 
 PdeEdges read_edges(const PdePreset& preset, PdeMeaning& meaning, std::size_t species, Problems& problems) {
     const std::string kind = preset.field("boundaryConditions", species);
     if (lower_case(kind) == "combo" || lower_case(kind) == "mixed")
-        return mixed_edges(preset, meaning, fmt::format("comboStr_{}", species), problems);
+        return mixed_edges(preset, meaning, fmt::format("comboStr_{}", species), species, problems);
     const std::string key = fmt::format("{}Str_{}", lower_case(kind), species);
     PdeEdges edges;
-    edges.fill(side_of(kind, preset.field(key), key, preset, meaning, problems));
+    edges.fill(side_of(kind, preset.field(key), key, preset, meaning, species, problems));
     return edges;
 }
 

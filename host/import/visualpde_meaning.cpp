@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 
@@ -21,6 +22,28 @@ std::string_view trimmed(std::string_view text) {
 }
 
 TermRef squared(const TermRef& a) { return call_term("^", {a, number_term(2.0)}); }
+
+// A row of five weights, or a column of them from below.
+std::vector<std::string> along(bool up, const std::array<const char*, 5>& weights) {
+    std::vector<std::string> all(25, "0");
+    for (std::size_t i = 0; i < 5; ++i) all[up ? 5 * (4 - i) + 2 : 10 + i] = weights[i];
+    return all;
+}
+
+const std::vector<PdeDerivative>& derivatives() {
+    static const std::vector<PdeDerivative> all{{"xx", 2, {"0", "0", "0", "1", "-2", "1", "0", "0", "0"}},
+                                                {"yy", 2, {"0", "1", "0", "0", "-2", "0", "0", "1", "0"}},
+                                                {"xy", 2, {"-0.25", "0", "0.25", "0", "0", "0", "0.25", "0", "-0.25"}},
+                                                {"xf", 1, {"0", "0", "0", "0", "-1", "1", "0", "0", "0"}},
+                                                {"xb", 1, {"0", "0", "0", "-1", "1", "0", "0", "0", "0"}},
+                                                {"yf", 1, {"0", "1", "0", "0", "-1", "0", "0", "0", "0"}},
+                                                {"yb", 1, {"0", "0", "0", "0", "1", "0", "0", "-1", "0"}},
+                                                {"xf2", 1, along(false, {"0", "0", "-1.5", "2", "-0.5"})},
+                                                {"xb2", 1, along(false, {"0.5", "-2", "1.5", "0", "0"})},
+                                                {"yf2", 1, along(true, {"0", "0", "-1.5", "2", "-0.5"})},
+                                                {"yb2", 1, along(true, {"0.5", "-2", "1.5", "0", "0"})}};
+    return all;
+}
 
 // Uniform draws made normal (Box and Muller 1958); a draw is below 1, so that its complement is above 0.
 TermRef normal_draw() {
@@ -196,14 +219,21 @@ TermRef PdeMeaning::slope_of(const std::string& chemical, std::string_view kind,
     if (at_start_) return refused(token, "is a slope, which is known in rules alone");
     if (kind == "x") return rise;
     if (kind == "y") return over(call_term("gradient_y", {name_term(chemical)}), dx());
-    if (draft_.rows != 1)
-        return refused(token, "is a derivative in one direction that rules do not have in two dimensions");
-    const TermRef bend = call_term("laplacian", {name_term(chemical)});
-    if (kind == "xx") return over(bend, times(dx(), dx()));
-    const TermRef half = over(times(number_term(0.5), bend), dx());
-    if (kind == "xf") return plus(rise, half);
-    if (kind == "xb") return minus(rise, half);
+    if (kind == "xx" && draft_.rows == 1) return over(call_term("laplacian", {name_term(chemical)}), times(dx(), dx()));
+    for (const PdeDerivative& one : derivatives()) {
+        if (one.kind != kind) continue;
+        const TermRef sum = call_term(named_stencil(one), {name_term(chemical)});
+        return over(sum, one.powers_of_dx == 1 ? dx() : times(dx(), dx()));
+    }
     return refused(token, "is a derivative that is not carried over");
+}
+
+// The name here of its stencil, which is defined where it is not yet.
+std::string PdeMeaning::named_stencil(const PdeDerivative& one) {
+    const std::string here = names_.of("difference_" + std::string(one.kind));
+    if (std::ranges::find(draft_.stencils, here, &DraftStencil::name) == draft_.stencils.end())
+        draft_.stencils.push_back({here, one.weights});
+    return here;
 }
 
 // ---- functions

@@ -14,6 +14,13 @@
 
 namespace pelage::imports {
 
+// A derivative as a sum of the cells around, in cells.
+struct PdeDerivative {
+    std::string_view kind;  // "xx", ... of u_xx
+    int powers_of_dx;
+    std::vector<std::string> weights;
+};
+
 class PdeMeaning final : public Meaning {
 public:
     // The draft has the lattice's size already, and dx and dt as its first parameters.
@@ -46,6 +53,7 @@ private:
     std::optional<TermRef> random(std::string_view name) const;
     std::optional<TermRef> slope(const FormulaToken&);
     TermRef slope_of(const std::string& chemical, std::string_view kind, const FormulaToken&);
+    std::string named_stencil(const PdeDerivative&);
     TermRef bump(const std::vector<TermRef>&);
     TermRef gauss(const std::vector<TermRef>&);
     TermRef refused(const FormulaToken&, std::string_view what);

@@ -9,6 +9,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cctype>
 
 namespace pelage::imports {
 
@@ -153,6 +154,34 @@ std::string with_percents_resolved(std::string_view text) {
     return result;
 }
 
+// VisualPDE's own files hold objects of JavaScript: their keys need no quotes, and a comma may follow the last field.
+std::string with_quoted_keys(const std::string& text) {
+    std::string result;
+    const auto in_name = [](char c) { return std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '_'; };
+    char before = '\0';  // the last sign that is no blank
+    for (std::size_t i = 0; i < text.size();) {
+        const char c = text[i];
+        std::size_t end = i + 1;
+        if (c == '"') {
+            while (end < text.size() && text[end] != '"') end += text[end] == '\\' ? 2 : 1;
+            end = std::min(end + 1, text.size());
+            result.append(text, i, end - i);
+        } else if (in_name(c) && (before == '{' || before == ',')) {
+            while (end < text.size() && in_name(text[end])) ++end;
+            const std::size_t after = text.find_first_not_of(" \t\r\n", end);
+            const bool key = after != std::string::npos && text[after] == ':';
+            result += key ? '"' + text.substr(i, end - i) + '"' : text.substr(i, end - i);
+        } else {
+            const std::size_t after = c == ',' ? text.find_first_not_of(" \t\r\n", end) : std::string::npos;
+            const bool last = after != std::string::npos && (text[after] == '}' || text[after] == ']');
+            if (!last) result += c;
+        }
+        if (c != ' ' && c != '\t' && c != '\r' && c != '\n') before = c == '"' || in_name(c) ? 'a' : c;
+        i = end;
+    }
+    return result;
+}
+
 // Of an address, or of compressed text alone; JSON stays as it is, also that which VisualPDE's "Copy code" gives.
 std::string json_text(const std::string& text, const std::string& name) {
     const std::size_t first = text.find_first_not_of(" \t\r\n");
@@ -160,7 +189,7 @@ std::string json_text(const std::string& text, const std::string& name) {
     const std::size_t brace = text.find('{');
     if (text[first] == '{') return text;
     if (text.compare(first, 8, "presets[") == 0 && brace != std::string::npos)
-        return text.substr(brace, text.rfind('}') - brace + 1);
+        return with_quoted_keys(text.substr(brace, text.rfind('}') - brace + 1));
     std::string_view compressed = options_of_address(text);
     if (compressed.empty()) {
         if (text.find("://") != std::string::npos)
@@ -178,12 +207,15 @@ json parsed(const std::string& text, const std::string& name) {
     if (text.size() > largest_preset)
         throw Error(fmt::format("{}: is longer than the {} bytes allowed of a preset", name, largest_preset));
     try {
-        return json::parse(text, [&](int depth, json::parse_event_t, json&) {
-            if (depth > deepest_preset)
-                throw Error(
-                    fmt::format("{}: is nested too deeply; at most {} levels are allowed", name, deepest_preset));
-            return true;
-        });
+        return json::parse(
+            text,
+            [&](int depth, json::parse_event_t, json&) {
+                if (depth > deepest_preset)
+                    throw Error(
+                        fmt::format("{}: is nested too deeply; at most {} levels are allowed", name, deepest_preset));
+                return true;
+            },
+            true, true);
     } catch (const json::parse_error& error) {
         std::string_view why = error.what();
         why.remove_prefix(std::min(why.find("] ") + 2, why.size()));

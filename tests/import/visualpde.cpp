@@ -42,8 +42,13 @@ TEST_CASE("each construct of a preset becomes one of the language") {
         {R"p("reactionStr_1": "ind(u > 0.5 && v <= 1)*v")p", "(u > 0.5 and v <= 1) * v"},
         {R"p("reactionStr_1": "H(u-1)+H(u,2)")p", "smoothstep(-0.01, 0.01, u - 1) + smoothstep(-0.01, 0.01, u - 2)"},
         {R"p("reactionStr_1": "u_x*v_y")p", "gradient_x(u) / dx * (gradient_y(v) / dx)"},
-        {R"p("dimension": "1", "reactionStr_1": "u_xx - u_xb")p",
-         "laplacian(u) / (dx * dx) - (gradient_x(u) / dx - 0.5 * laplacian(u) / dx)"},
+        {R"p("dimension": "1", "reactionStr_1": "u_xx - u_xb")p", "laplacian(u) / (dx * dx) - difference_xb(u) / dx"},
+        {R"p("reactionStr_1": "u_xx - v_yy")p",
+         "define stencil difference_xx 3x3 0 0 0 1 -2 1 0 0 0\ndefine stencil difference_yy 3x3 0 1 0 0 -2 0 0 1 0\n"},
+        {R"p("reactionStr_1": "u_yf2")p",
+         "define stencil difference_yf2 5x5 0 0 -0.5 0 0 0 0 2 0 0 0 0 -1.5 0 0 0 0 0 0 0 0 0 0 0 0\n"},
+        {R"p("boundaryConditions_1": "combo", "comboStr_1": "Left: Ghost = 1", "diffusionStr_1_1": "2")p",
+         "if(COLUMN == 0, 2 * ((1 - u) / dx) / dx, 0)"},
         {R"p("reactionStr_1": "-u^3 + u^4 + u^0.5 + tanh(u)")p", "-u ^ 3 + u ^ 4 + pow(u, 0.5) + tanh(u)"},
         {R"p("reactionStr_1": "max(u,0)+min(v,1)+mod(u,2)+abs(u)")p", "max(u, 0) + min(v, 1) + mod(u, 2) + abs(u)"},
         {R"p("initCond_1": "1+0.1*RAND")p", "use chemical u conc (1 + 0.1 * RANDOM)"},
@@ -88,12 +93,12 @@ TEST_CASE("what a preset asks for and cannot be had is refused, field by field")
         {R"p("reactionStr_1": "foo")p", "'foo' is no species"},
         {R"p("reactionStr_1": "bar(u)")p", "'bar' is no function"},
         {R"p("reactionStr_1": "u(1-u)")p", "a product needs its '*'"},
-        {R"p("reactionStr_1": "u_xx")p", "'u_xx' is a derivative"},
+        {R"p("reactionStr_1": "u_xxy")p", "'u_xxy' is a derivative"},
         {R"p("reactionStr_1": "u[x+dx,y]")p", "'u[...]'"},
         {R"p("reactionStr_1": "u +")p", "reactionStr_1: found the end"},
         {R"p("diffusionStr_1_1": "1;2")p", "diffusionStr_1_1"},
         {R"p("boundaryConditions_1": "weird")p", "'weird'"},
-        {R"p("boundaryConditions_1": "combo", "comboStr_1": "Left: Ghost = 1")p", "'Ghost'"},
+        {R"p("boundaryConditions_1": "combo", "comboStr_1": "Left: Mirror = 1")p", "'Mirror'"},
         {R"p("kineticParams": "a = b; b = a", "reactionStr_1": "a")p", "defined by itself"},
         {R"p("kineticParams": "rubbish")p", "no definition NAME = VALUE"},
         {R"p("numSpecies": 7)p", "must be 1, 2, 3 or 4"},
@@ -140,6 +145,18 @@ TEST_CASE("a preset is the same numbers as its equations") {
         u = next;
     }
     for (std::size_t i = 0; i < count; ++i) CHECK(std::fabs(state.conc[0][i] - u[i]) < 1e-13);
+}
+
+TEST_CASE("entries of VisualPDE's own list need no quotes around their keys") {
+    const auto text = [](const std::string& fields) {
+        return "presets[\"Name\"] = {\n  numSpecies: 2, domainScale:\n \"16\",\n" + fields + "\n};\n";
+    };
+    const auto made =
+        imported(text("  reactionStr_1: \"-u\", dt: 5e-3, squareCanvas: true,\n  views: [{ name: \"a: b, c\", "
+                      "whatToPlot: \"v\", },],\n"));
+    CHECK_THAT(made.text, Contains("react u by (-u)") && Contains("define parameter dt 0.005") && Contains("output v"));
+    CHECK_THAT(refusal(text("  reactionStr_1: \"u, {v: 3}\",")), Contains("reactionStr_1"));
+    CHECK_THAT(refusal(text("  reactionStr_1: \"-u\" dt: 3")), Contains("is no JSON"));
 }
 
 TEST_CASE("compressed texts of addresses are read") {
