@@ -54,8 +54,9 @@ static inline bitsv pelage_sign(real x) { return AS_BITS(x) & SIGN_BIT; }
 static inline real pelage_signed(real x, bitsv sign) { return AS_NUMBER(AS_BITS(x) ^ sign); }
 
 // Single precision takes subnormal numbers for 0 of their sign.
+//   PELAGE_FLUSHED     what comes in is 0 where it would be subnormal: the device's arithmetic has seen to that
 static inline real pelage_flushed(real x) {
-#ifdef PELAGE_DOUBLE
+#if defined(PELAGE_DOUBLE) || defined(PELAGE_FLUSHED)
     return x;
 #else
     return SELECT(pelage_size(x) < SMALLEST, AS_NUMBER(pelage_sign(x)), x);

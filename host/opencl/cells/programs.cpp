@@ -2,6 +2,7 @@
 #include "opencl/cells/programs.hpp"
 
 #include "core/schedule.hpp"
+#include "opencl/device/rule_options.hpp"
 
 #include <algorithm>
 
@@ -47,7 +48,7 @@ CellsStep& CellsPrograms::at(std::uint64_t iteration, std::uint64_t& until, Cell
     if (known != steps_.end()) return known->second;
     const CellsSource source =
         cells_step_source(experiment_, active, brief, phase, plan_, session_.options().precision, width_, form);
-    const cl::Program program = session_.build(source.text);
+    const cl::Program program = session_.build(source.text, rule_options(session_));
     const char* name = form == CellsForm::alone ? "pelage_cells_step" : "pelage_cells_together";
     CellsStep step{cl::Kernel(program, name), cl::Kernel(program, name), source.written};
     return steps_.emplace(key, std::move(step)).first->second;

@@ -1,6 +1,7 @@
 // See fused_step.hpp.
 #include "opencl/lattice/fused_step.hpp"
 
+#include "opencl/device/rule_options.hpp"
 #include "opencl/lattice/emit_lattice.hpp"
 
 #include <utility>
@@ -16,7 +17,8 @@ FusedStep::FusedStep(const Session& session, const Experiment& experiment, const
     writes_polarity_ = !rules.use.polarizes.empty();
     writes_mappings_ = !rules.use.mappings_written.empty();
     const cl::Program program = session.build(source(experiment, plan, rules, bounded_chemicals(experiment),
-                                                     session.options().precision, choice_.width, choice_.cut));
+                                                     session.options().precision, choice_.width, choice_.cut),
+                                              rule_options(session));
     kernel_ = cl::Kernel(program, kernel);
 }
 
