@@ -39,6 +39,7 @@ public:
 
 private:
     void lattice(const Shot&, const Colours&, std::string& to);  // of the frame's own size
+    void halved(const Shot&, const Colours&, std::string& to);   // twice as large
     Picture picture_of(const Shot&);
     Picture lattice(const Shot&, const Colours&);
     Picture map(const Shot&);
@@ -47,12 +48,13 @@ private:
     Picture cells(const Snapshot&, const Brush&);
     Picture in_frame(Picture) const;
     const QuickColours& quick(bool yuv);
+    const QuickColours& quick_parts();
     template <class Value>
     ValueRange seen(std::span<const Value> now);  // of the values so far, or as the output says
 
     const FilmPlan& plan_;
     const Experiment& experiment_;
-    std::optional<QuickColours> yuv_, rgb_;  // made when needed
+    std::optional<QuickColours> yuv_, rgb_, parts_;  // made when needed
     ValueRange range_;
     CellDrawing drawing_;
     FrameSize frame_;

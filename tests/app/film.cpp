@@ -7,6 +7,8 @@
 #include "app/run_options.hpp"
 #include "core/error.hpp"
 #include "io/field.hpp"
+#include "io/frame.hpp"
+#include "io/picture.hpp"
 
 #include <catch2/catch.hpp>
 #include <nlohmann/json.hpp>
@@ -16,6 +18,7 @@
 #include <cmath>
 #include <csignal>
 #include <cstdlib>
+#include <cstring>
 #include <filesystem>
 #include <map>
 
@@ -159,6 +162,32 @@ TEST_CASE("brightness and colours go to ffmpeg as BT.709 has them") {
         worst = std::max(worst, std::abs(part(pixels + pixels / 4 + quarter) - (128 + red * 224 / 255)));
     }
     CHECK(worst < 1.01);
+}
+
+TEST_CASE("frames of half the lattice's size have the means of its pixels") {
+    const Stage stage;
+    const std::string file = stage.folder.write(
+        "half.pex",
+        "define chemical V limit 8\nuse chemical V conc (8 * RANDOM) diff 0.1\ncreate matrix 64 48 wrap\n"
+        "define time_step 0.1\nrule always react V by (4 - V)\nstop at 20\noutput V colormap inferno range 1 7\n");
+    const auto film = [&](const char* name) {
+        const std::string path = stage.folder / name;
+        const Outcome outcome = stage.run({"--video", path, "--every", "10", "--size", "32x24"}, file);
+        INFO(outcome.err);
+        REQUIRE(outcome.exit_code == 0);
+        return read_all(path);
+    };
+    const std::vector<std::string> quick = frames_of(film("film.mp4"), 32 * 24 * 3 / 2);
+    const std::vector<std::string> plain = frames_of(film("film.gif"), 32 * 24 * 3);
+    REQUIRE(quick.size() == 3);
+    REQUIRE(plain.size() == 3);
+    for (std::size_t i = 0; i < 3; ++i) {
+        pelage::Picture picture(32, 24);
+        std::memcpy(picture.pixels.data(), plain[i].data(), plain[i].size());
+        std::string expected;
+        pelage::write_yuv420(picture, expected);
+        CHECK(quick[i] == expected);
+    }
 }
 
 TEST_CASE("a film of a lattice that grows has one size, and the lattice in its middle") {
