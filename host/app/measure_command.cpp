@@ -33,6 +33,16 @@ stats::Statistics measured(const std::string& file, const MeasureOptions& option
     return stats::statistics_of({field->values, field->columns, field->rows, options.wrap});
 }
 
+// Readers of pictures speak of the language's `channel NAME`.
+std::string in_words_of_options(std::string message) {
+    for (const auto& [word, option] : {std::pair<std::string, std::string>{"as in 'channel ", "as in '--channel "},
+                                       {"leave the channel out", "leave --channel out"}}) {
+        const std::size_t at = message.rfind(word);
+        if (at != std::string::npos) message.replace(at, word.size(), option);
+    }
+    return message;
+}
+
 int measure(const MeasureOptions& options) {
     int exit_code = success;
     std::vector<TableLine> lines;
@@ -42,7 +52,7 @@ int measure(const MeasureOptions& options) {
         try {
             values = stats::listed(measured(file, options));
         } catch (const Error& error) {
-            say(stderr, "pelage: {}\n", error.what());
+            say(stderr, "pelage: {}\n", in_words_of_options(error.what()));
             exit_code = bad_input;
             continue;
         }

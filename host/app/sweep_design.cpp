@@ -60,16 +60,19 @@ SweepDesign sweep_design(const SweepOptions& options, const Experiment& plain) {
     return design;
 }
 
+std::string blamed(const SweepOptions& options, const std::string& name) {
+    return options.points.empty() ? "--vary " + name : fmt::format("--points {}: {}", options.points.string(), name);
+}
+
 void check_ranges(const SweepOptions& options, const SweepDesign& design, const Experiment& experiment) {
-    const char* option = options.points.empty() ? "--vary" : "--points:";
     for (const sweep::Point& point : design.points) {
         for (const Setting& one : point.settings) {
             const auto parameter = std::ranges::find(experiment.parameters, one.name, &Parameter::name);
             const double value = std::stod(one.value);
             if (parameter == experiment.parameters.end() || (value >= parameter->low && value <= parameter->high))
                 continue;
-            throw Error(fmt::format("{} {}: {} is out of range; parameter '{}' must be a number from {:g} to {:g}",
-                                    option, one.name, one.value, one.name, parameter->low, parameter->high));
+            throw Error(fmt::format("{}: {} is out of range; parameter '{}' must be a number from {:g} to {:g}",
+                                    blamed(options, one.name), one.value, one.name, parameter->low, parameter->high));
         }
     }
 }

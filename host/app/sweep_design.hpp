@@ -21,6 +21,9 @@ struct SweepDesign {
 // option.
 SweepDesign sweep_design(const SweepOptions&, const Experiment& plain);
 
+// For messages, where the value of a parameter comes from: "--vary F", "--points FILE: F".
+std::string blamed(const SweepOptions&, const std::string& name);
+
 // Throws Error for a value outside the range of its parameter, so that no late tile stumbles over it.
 void check_ranges(const SweepOptions&, const SweepDesign&, const Experiment&);
 

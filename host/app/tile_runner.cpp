@@ -15,6 +15,7 @@
 
 #include <algorithm>
 #include <chrono>
+#include <string_view>
 
 namespace pelage::app {
 
@@ -31,7 +32,9 @@ Experiment TileRunner::experiment(std::size_t tile) const {
     const sweep::Point& point = design_.points[tile];
     std::vector<Setting> settings = settings_of(options_.run.settings);
     settings.insert(settings.end(), point.settings.begin(), point.settings.end());
-    Experiment experiment = experiment_of(text_, options_.run.file, StartPictures::read, settings);
+    Experiment experiment = read(settings, point);
+    if (options_.run.seed == 0)
+        throw Error("--seed 0 takes one from the clock, another each time; a sweep needs one that can be repeated");
     if (options_.run.seed) experiment.seed = options_.run.seed;
     if (seeded_by_clock(experiment))
         throw Error(
@@ -41,6 +44,21 @@ Experiment TileRunner::experiment(std::size_t tile) const {
     if (point.replicate > 0) experiment.seed = experiment.run_seed() + static_cast<std::int64_t>(point.replicate);
     sweep::check_measurable(experiment);
     return experiment;
+}
+
+// The experiment's reader knows of --set alone.
+Experiment TileRunner::read(const std::vector<Setting>& settings, const sweep::Point& point) const {
+    try {
+        return experiment_of(text_, options_.run.file, StartPictures::read, settings);
+    } catch (const Error& error) {
+        const std::string_view message = error.what();
+        for (const Setting& one : point.settings) {
+            const std::string start = fmt::format("--set {}=", one.name);
+            if (message.starts_with(start))
+                throw Error(fmt::format("{}={}", blamed(options_, one.name), message.substr(start.size())));
+        }
+        throw;
+    }
 }
 
 std::uint64_t TileRunner::last_iteration(const Experiment& experiment) const {

@@ -11,6 +11,7 @@
 #include <filesystem>
 #include <optional>
 #include <string>
+#include <vector>
 
 namespace pelage::app {
 
@@ -31,6 +32,7 @@ public:
     std::filesystem::path values_of(std::size_t tile) const;  // what the sheet shows of it
 
 private:
+    Experiment read(const std::vector<Setting>&, const sweep::Point&) const;
     void keep(const Experiment&, std::size_t tile, const Snapshot&) const;
 
     const SweepOptions& options_;

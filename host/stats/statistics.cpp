@@ -5,11 +5,34 @@
 
 #include <algorithm>
 #include <cmath>
+#include <span>
+#include <vector>
 
 namespace pelage::stats {
 
+namespace {
+
+// A power of two that brings the values to where their squares are neither infinite nor 0; 0: they are there.
+int excess_of(std::span<const double> values) {
+    double most = 0.0;
+    for (const double value : values) most = std::max(most, std::fabs(value));
+    if (most == 0.0 || (most > 1e-100 && most < 1e100)) return 0;
+    return std::ilogb(most);
+}
+
+Statistics of_scaled(const Grid& grid, int excess) {
+    std::vector<double> values(grid.values.begin(), grid.values.end());
+    for (double& value : values) value = std::ldexp(value, -excess);
+    Statistics found = statistics_of({values, grid.columns, grid.rows, grid.wrap});
+    for (double* one : {&found.mean, &found.deviation, &found.minimum, &found.maximum}) *one = std::ldexp(*one, excess);
+    return found;
+}
+
+}  // namespace
+
 Statistics statistics_of(const Grid& grid) {
     check(grid);
+    if (const int excess = excess_of(grid.values); excess != 0) return of_scaled(grid, excess);
     Statistics found;
     const double count = static_cast<double>(grid.values.size());
     for (const double value : grid.values) found.mean += value / count;

@@ -38,6 +38,38 @@ std::vector<std::string> parts_of(const std::string& text, char mark) {
     return parts;
 }
 
+// The fields of a line of a table; one that begins with a quote goes to the next, and two quotes in it are one. Throws
+// Error where one is not closed.
+std::vector<std::string> fields_of(const std::string& line, const std::string& where) {
+    std::vector<std::string> fields;
+    std::string bare;  // with commas in quotes replaced, so that parts_of() sees the others alone
+    std::vector<std::string> quoted;
+    constexpr char stand_in = '\x01';
+    for (std::size_t i = 0; i < line.size(); ++i) {
+        const bool begins = line[i] == '"' && bare.find_last_not_of(" \t") + 1 == bare.rfind(',') + 1;
+        if (!begins) {
+            bare += line[i];
+            continue;
+        }
+        std::string text;
+        for (++i;; ++i) {
+            if (i >= line.size()) throw Error(fmt::format("{}: a quote is not closed", where));
+            if (line[i] == '"' && (i + 1 == line.size() || line[i + 1] != '"')) break;
+            i += line[i] == '"' ? 1 : 0;
+            text += line[i];
+        }
+        quoted.push_back(text);
+        bare += stand_in;
+    }
+    std::size_t next = 0;
+    for (const std::string& part : parts_of(bare, ',')) {
+        const bool whole = part.size() == 1 && part[0] == stand_in && next < quoted.size();
+        fields.push_back(whole ? quoted[next] : part);
+        next += static_cast<std::size_t>(std::ranges::count(part, stand_in));
+    }
+    return fields;
+}
+
 std::optional<double> number(const std::string& text) {
     double value = 0.0;
     const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
@@ -175,9 +207,9 @@ std::vector<Point> read_points(const std::filesystem::path& path) {
     std::size_t number_of_line = 0;
     for (std::string line; std::getline(file, line);) {
         if (++number_of_line == 1 && line.starts_with("\xef\xbb\xbf")) line.erase(0, 3);  // byte order mark of UTF-8
-        const std::vector<std::string> parts = parts_of(line, ',');
-        if (parts.size() == 1 && parts.front().empty()) continue;
         const std::string where = fmt::format("{}:{}", path.string(), number_of_line);
+        const std::vector<std::string> parts = fields_of(line, where);
+        if (parts.size() == 1 && parts.front().empty()) continue;
         if (names.empty()) {
             names = parts;
             if (std::set<std::string>(names.begin(), names.end()).size() != names.size())

@@ -69,6 +69,21 @@ TEST_CASE("the shortest waves, and waves along rows and columns exactly") {
     }
 }
 
+TEST_CASE("numbers that are very large or very small are measured like others") {
+    const Statistics plain = statistics_of(stripes(12, 30).grid());
+    for (const double scale : {0x1p1000, 0x1p-1000}) {
+        Pattern scaled = stripes(12, 30);
+        for (double& value : scaled.values) value *= scale;
+        const Statistics found = statistics_of(scaled.grid());
+        CHECK(found.mean == Approx(plain.mean * scale));
+        CHECK(found.deviation == Approx(plain.deviation * scale));
+        CHECK(found.maximum == plain.maximum * scale);
+        CHECK(found.waves.wavelength == plain.waves.wavelength);
+        CHECK(found.waves.anisotropy == plain.waves.anisotropy);
+        CHECK(found.features.count == plain.features.count);
+    }
+}
+
 TEST_CASE("discs: how many, how large, how far apart") {
     const Pattern discs(120, 90, [](double x, double y) {
         const double dx = std::fmod(x, 15.0) - 7, dy = std::fmod(y, 15.0) - 7;

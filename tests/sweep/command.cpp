@@ -181,6 +181,10 @@ TEST_CASE("a sweep that makes no sense says why") {
     CHECK_THAT(refused({"--vary", "Q=1,2"}), Contains("defines no parameter of that name; defined there: F, K, side"));
     CHECK_THAT(refused({"--vary", "F=0.05,0.2"}),
                Contains("0.2 is out of range; parameter 'F' must be a number from 0 to 0.1"));
+    CHECK_THAT(refused({"--vary", "F=0.2"}), Contains("pelage: --vary F=0.2: parameter 'F' must be a number"));
+    const std::string table = bench.folder.write("points.csv", "Q\n1\n");
+    CHECK_THAT(refused({"--points", table}), Contains("pelage: --points " + table + ": Q=1: "));
+    CHECK_THAT(refused({"--vary", "K=0.05,0.06", "--seed", "0"}), Contains("--seed 0 takes one from the clock"));
     CHECK_THAT(refused({"--vary", "F=1:2"}), Contains("a range is written"));
     CHECK_THAT(refused({"--vary", "F=0:0.1:3", "--samples", "5"}), Contains("where samples are drawn"));
     CHECK_THAT(refused({"--samples", "5"}), Contains("give at least one"));

@@ -107,6 +107,17 @@ TEST_CASE("a table of points, and tables that are none") {
               .at(0)
               .settings.at(0)
               .name == "F");
+    const std::vector<Point> quoted =
+        read_points(folder.write("quoted.csv", "\"F\", \"K\" \n\"0.03\",\"0.06\"\n 0.04,\"5\"\n"));
+    REQUIRE(quoted.size() == 2);
+    CHECK(quoted[0].settings[0].name == "F");
+    CHECK(quoted[0].settings[1].name == "K");
+    CHECK(quoted[0].settings[1].value == "0.06");
+    CHECK(quoted[1].settings[0].value == "0.04");
+    CHECK(quoted[1].settings[1].value == "5");
+    CHECK_THAT(problem("F,K\n1,\"1,5\"\n"), Contains("points.csv:2: '1,5' is not a number"));
+    CHECK_THAT(problem("F,K\n1,\"a\"\"b\"\n"), Contains("'a\"b' is not a number"));
+    CHECK_THAT(problem("F,K\n1,\"2\n"), Contains("points.csv:2: a quote is not closed"));
     CHECK_THAT(problem("F,F\n1,2\n"), Contains("points.csv:1: a name stands there twice"));
     CHECK_THAT(problem("F,K\n1,2\n1\n"), Contains("points.csv:3: 1 fields; the first line names 2"));
     CHECK_THAT(problem("F,K\n1,x\n"), Contains("points.csv:2: 'x' is not a number"));
