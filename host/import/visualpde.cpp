@@ -27,7 +27,7 @@ public:
         meaning_ = std::make_unique<PdeMeaning>(preset_, draft_, names_, problems_, species_, dx_);
         for (std::size_t i = 0; i < species_.size(); ++i)
             edges_.push_back(read_edges(preset_, *meaning_, i + 1, problems_));
-        draft_.edge = edge_of_lattice(edges_, species_, flat(), preset_, problems_);
+        draft_.edge = edge_of_lattice(edges_, edge_counts(), species_, flat(), preset_, problems_);
         read_start();
         read_equations();
         read_domain();
@@ -45,6 +45,10 @@ private:
     bool cross() const { return preset_.truth("crossDiffusion"); }
 
     void check_kind() const {
+        const std::string parent = preset_.field("parent");
+        if (!parent.empty() && parent != "default" && !preset_.says("reactionStr_1") && !preset_.says("reactionStr_2"))
+            fail("parent",
+                 fmt::format("the equations are those of the preset '{}', which are not in the file", parent));
         for (const char* wanted : {"reactionStr_1", "numSpecies", "domainScale", "kineticParams", "dt",
                                    "diffusionStr_1_1", "initCond_1", "spatialStep"}) {
             if (preset_.says(wanted)) return;
@@ -52,6 +56,25 @@ private:
         fail(preset_.says("preset") ? "preset" : "{}",
              preset_.says("preset") ? "only names a preset of VisualPDE, whose equations are not in the file"
                                     : "holds no field of a preset of VisualPDE");
+    }
+
+    // Whether what lies beyond the edge matters to a species: it diffuses, or its slopes are read.
+    std::vector<bool> edge_counts() const {
+        const std::size_t count = species_.size();
+        std::vector<bool> counts(count);
+        for (std::size_t i = 0; i < count; ++i) {
+            const auto said = [&](std::size_t j) {
+                const std::string rate = preset_.field(fmt::format("diffusionStr_{}_{}", j + 1, i + 1));
+                return (i == j || cross()) && rate.find_first_not_of(" 0.;") != std::string::npos;
+            };
+            const auto sloped = [&](std::size_t j) {
+                const std::string reaction = preset_.field(fmt::format("reactionStr_{}", j + 1));
+                return reaction.find(species_[i] + "_x") != std::string::npos ||
+                       reaction.find(species_[i] + "_y") != std::string::npos;
+            };
+            for (std::size_t j = 0; j < count; ++j) counts[i] = counts[i] || said(j) || sloped(j);
+        }
+        return counts;
     }
 
     void read_species() {

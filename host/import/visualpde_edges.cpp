@@ -103,17 +103,20 @@ TermRef cells_along(const PdeEdges& edges, bool one_dimensional, PdeSide::Kind k
     return all;
 }
 
-std::string edge_of_lattice(const std::vector<PdeEdges>& all, const std::vector<std::string>& species,
-                            bool one_dimensional, const PdePreset& preset, Problems& problems) {
+std::string edge_of_lattice(const std::vector<PdeEdges>& all, const std::vector<bool>& counts,
+                            const std::vector<std::string>& species, bool one_dimensional, const PdePreset& preset,
+                            Problems& problems) {
     const std::size_t sides = count_of_sides(one_dimensional);
     const auto any = [&](const PdeEdges& edges, PdeSide::Kind kind) {
         return std::any_of(edges.begin(), edges.begin() + static_cast<std::ptrdiff_t>(sides),
                            [&](const PdeSide& one) { return one.kind == kind; });
     };
-    const bool wrap =
-        std::ranges::any_of(all, [&](const PdeEdges& edges) { return any(edges, PdeSide::Kind::periodic); });
+    const bool none_counts = std::ranges::find(counts, true) == counts.end();
+    bool wrap = false;
+    for (std::size_t i = 0; i < all.size(); ++i)
+        wrap = wrap || ((counts[i] || none_counts) && any(all[i], PdeSide::Kind::periodic));
     for (std::size_t i = 0; i < all.size(); ++i) {
-        if (wrap && any(all[i], PdeSide::Kind::flux))
+        if (wrap && counts[i] && any(all[i], PdeSide::Kind::flux))
             problems.note(
                 fmt::format("{}: '{}' is periodic here where it has a condition on its slope: the edge is one for all "
                             "species and sides",

@@ -21,9 +21,9 @@ PdeEdges read_edges(const PdePreset&, PdeMeaning&, std::size_t species, Problems
 // The cells of the sides that the test takes; null: of none.
 TermRef cells_along(const PdeEdges&, bool one_dimensional, PdeSide::Kind);
 
-// The edge of the whole lattice; what it cannot do for single species is noted.
-std::string edge_of_lattice(const std::vector<PdeEdges>&, const std::vector<std::string>& species, bool one_dimensional,
-                            const PdePreset&, Problems&);
+// The edge of the whole lattice, of those species whose edge counts; what it cannot do for single species is noted.
+std::string edge_of_lattice(const std::vector<PdeEdges>&, const std::vector<bool>& counts,
+                            const std::vector<std::string>& species, bool one_dimensional, const PdePreset&, Problems&);
 
 // What flows in over the edge in a unit of time, where the rate of diffusion is given.
 TermRef inflow(const PdeEdges&, bool one_dimensional, const TermRef& rate, const TermRef& dx);

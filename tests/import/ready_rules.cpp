@@ -83,7 +83,7 @@ TEST_CASE("what cannot be carried over is refused, construct by construct, with 
         {"delta_a = a_in[3];", "'a_in[...]'"},
         {"a.x = 1;", "'a.x'"},
         {"delta_a = 5 % 3;", "'%'"},
-        {"delta_a = (float4)(0.0f, 1.0f, 2.0f, 3.0f);", "a vector of several values"},
+        {"delta_a = (float4)(0.0f, 1.0f, 2.0f, 3.0f);", "a vector whose parts are different"},
         {"#define Q 3\ndelta_a = Q;", "preprocessor"},
         {"q = 3;", "'q' is given a value"},
         {"delta_a = ;", "found ';' where a value must stand"},

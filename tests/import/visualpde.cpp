@@ -47,6 +47,9 @@ TEST_CASE("each construct of a preset becomes one of the language") {
          "define stencil difference_xx 3x3 0 0 0 1 -2 1 0 0 0\ndefine stencil difference_yy 3x3 0 1 0 0 -2 0 0 1 0\n"},
         {R"p("reactionStr_1": "u_yf2")p",
          "define stencil difference_yf2 5x5 0 0 -0.5 0 0 0 0 2 0 0 0 0 -1.5 0 0 0 0 0 0 0 0 0 0 0 0\n"},
+        {R"p("boundaryConditions_1": "neumann", "diffusionStr_2_2": "0")p", "create matrix 32 32 no-flux"},
+        {R"p("boundaryConditions_1": "neumann", "diffusionStr_2_2": "0", "reactionStr_1": "v_x")p",
+         "create matrix 32 32 wrap"},
         {R"p("boundaryConditions_1": "combo", "comboStr_1": "Left: Ghost = 1", "diffusionStr_1_1": "2")p",
          "if(COLUMN == 0, 2 * ((1 - u) / dx) / dx, 0)"},
         {R"p("reactionStr_1": "-u^3 + u^4 + u^0.5 + tanh(u)")p", "-u ^ 3 + u ^ 4 + pow(u, 0.5) + tanh(u)"},
@@ -157,6 +160,7 @@ TEST_CASE("entries of VisualPDE's own list need no quotes around their keys") {
     CHECK_THAT(made.text, Contains("react u by (-u)") && Contains("define parameter dt 0.005") && Contains("output v"));
     CHECK_THAT(refusal(text("  reactionStr_1: \"u, {v: 3}\",")), Contains("reactionStr_1"));
     CHECK_THAT(refusal(text("  reactionStr_1: \"-u\" dt: 3")), Contains("is no JSON"));
+    CHECK_THAT(refusal(text("  parent: \"KellerSegel\"")), Contains("parent: the equations are those of the preset"));
 }
 
 TEST_CASE("compressed texts of addresses are read") {
