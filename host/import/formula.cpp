@@ -172,11 +172,26 @@ TermRef FormulaReader::inside_parentheses() {
                           call_term("floor", {value}));
         return value;
     }
+    const bool vector = begins_vector();
+    if (vector) meaning_.look_at_lane(0);
     TermRef value = expression();
-    if (now().text == ",") value = whole_vector(value);
+    if (vector) value = whole_vector(value);
     expect(")");
     refuse_parts_of_vectors();
     return value;
+}
+
+// Whether a comma comes before these parentheses are closed.
+bool FormulaReader::begins_vector() const {
+    int inside = 0;
+    for (std::size_t i = at_; i < tokens_.size(); ++i) {
+        const std::string_view text = tokens_[i].text;
+        if (text == ";" || text == "{") return false;
+        if (text == "," && inside == 0) return true;
+        if (text == "(" || text == "[") ++inside;
+        if ((text == ")" || text == "]") && --inside < 0) return false;
+    }
+    return false;
 }
 
 // Four cells of a row side by side are one formula where each part says of its cell what the first says of its own.
@@ -188,7 +203,7 @@ TermRef FormulaReader::whole_vector(const TermRef& first) {
         meaning_.look_at_lane(lane);
         alike = text_of(expression()) == text_of(first) && alike;
     }
-    meaning_.look_at_lane(0);
+    meaning_.look_at_lane(outside_vectors);
     if (!alike || lane != 4) refuse(comma, "a vector whose parts are different formulas is not carried over");
     return first;
 }

@@ -11,6 +11,8 @@
 
 namespace pelage::imports {
 
+inline constexpr int outside_vectors = -1;
+
 enum class Dialect { opencl, visualpde };
 
 // What names and functions mean. Both may add to the problems and give any term.
@@ -20,7 +22,8 @@ public:
     virtual TermRef of_name(const FormulaToken&) = 0;
     virtual TermRef of_call(const FormulaToken&, std::vector<TermRef> arguments) = 0;
     virtual bool is_type(std::string_view) const { return false; }  // in casts
-    // `name.x`; empty where it cannot be told. A vector's parts are read one after another, in lane 0, 1, ...
+    // `name.x`; empty where it cannot be told. A vector's parts are read one after another, in lane 0, 1, ..., and what
+    // is outside of vectors in none.
     virtual std::optional<TermRef> of_part(const FormulaToken&, [[maybe_unused]] std::string_view part) {
         return std::nullopt;
     }
@@ -52,6 +55,7 @@ private:
     TermRef power();
     TermRef atom();
     TermRef inside_parentheses();
+    bool begins_vector() const;
     TermRef whole_vector(const TermRef& first);
     TermRef named();
     std::vector<TermRef> arguments();

@@ -83,7 +83,7 @@ public:
     std::optional<TermRef> of_part(const FormulaToken& token, std::string_view part) override {
         static constexpr std::string_view parts = "xyzw";
         const std::size_t index = part.size() == 1 ? parts.find(part[0]) : std::string_view::npos;
-        if (!pattern_.of_old_format || index == std::string_view::npos) return std::nullopt;
+        if (!pattern_.of_old_format || index == std::string_view::npos || lane_ < 0) return std::nullopt;
         for (const std::string& original : pattern_.chemicals) {
             const std::string_view name = token.text;
             if (name != original && !name.starts_with(original + "_")) continue;
@@ -173,7 +173,7 @@ private:
 
     ReadyPattern& pattern_;
     const FormulaSource& source_;
-    int lane_ = 0;
+    int lane_ = outside_vectors;
 };
 
 void set_rules(ReadyPattern& pattern, const ReadyProgram& program, bool has_timestep) {

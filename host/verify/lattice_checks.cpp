@@ -24,13 +24,14 @@ constexpr std::uint64_t quick_iterations = 50;
 constexpr std::size_t many_sizes = 10;
 
 // The cases that the quick form runs: each kernel path once, in the fewest programs.
-constexpr std::array<std::string_view, 24> quick_cases{"rules/whole-numbers/fused",
+constexpr std::array<std::string_view, 25> quick_cases{"rules/whole-numbers/fused",
                                                        "diffusion/nine-point/no-flux",
                                                        "diffusion/nine-point/wrap",
                                                        "diffusion/nine-point/absorbing",
                                                        "diffusion/moore/wrap",
                                                        "diffusion/five-point/no-flux",
                                                        "diffusion/sims/absorbing",
+                                                       "diffusion/5x5/wrap",
                                                        "diffusion/own-weights/absorbing",
                                                        "diffusion/published/open",
                                                        "diffusion/published/wrap",
