@@ -20,7 +20,7 @@ using test::shell;
 
 namespace {
 
-const std::string text =
+const std::string map_text =
     "define parameter F 0.037\ndefine parameter K 0.06\ndefine chemical U limit 1\ndefine chemical V limit 1\n"
     "use seed 7\nuse chemical U conc 1 diff 0.2\nuse chemical V conc 0 dev 0.4 diff 0.1\ncreate matrix 32 32 wrap\n"
     "rule always react U V gray-scott f F k K\nstop at 3000\noutput V colormap viridis\n";
@@ -38,29 +38,29 @@ std::string under_mpirun(int ranks, const std::string& words) {
            std::to_string(ranks) + " " + test::program + " " + words;
 }
 
-std::string without_times(const std::string& csv) {
+std::string untimed(const std::string& csv) {
     std::istringstream lines(csv);
     std::string all;
     for (std::string line; std::getline(lines, line);) all += line.substr(0, line.rfind(',')) + "\n";
     return all;
 }
 
-struct Bench {
+struct Cluster {
     std::string words(const std::string& out) const {
         return "sweep " + file + " --backend reference --jobs 1 --vary K=0.05:0.07:4 --vary F=0.02,0.04,0.05 --out " +
                (folder / out).string();
     }
-    std::string csv(const std::string& out) const { return without_times(read_all(folder / (out + "/sweep.csv"))); }
+    std::string csv(const std::string& out) const { return untimed(read_all(folder / (out + "/sweep.csv"))); }
 
     Folder folder;
-    std::string file = folder.write("map.pex", text);
+    std::string file = folder.write("map.pex", map_text);
 };
 
 }  // namespace
 
 TEST_CASE("two and four ranks leave the table that one process leaves") {
     if (no_mpi()) return;
-    const Bench bench;
+    const Cluster bench;
     REQUIRE(shell(test::program + " " + bench.words("alone")).exit_code == 0);
     for (const int ranks : {2, 4}) {
         const std::string out = "ranks" + std::to_string(ranks);
@@ -75,7 +75,7 @@ TEST_CASE("two and four ranks leave the table that one process leaves") {
 
 TEST_CASE("after a rank was killed the same command ends in the same table") {
     if (no_mpi()) return;
-    const Bench bench;
+    const Cluster bench;
     REQUIRE(shell(test::program + " " + bench.words("alone")).exit_code == 0);
     {
         Child child({"sh", "-c", under_mpirun(2, bench.words("out"))});
@@ -96,7 +96,7 @@ TEST_CASE("after a rank was killed the same command ends in the same table") {
 
 TEST_CASE("what is wrong with a sweep of several ranks is said once") {
     if (no_mpi()) return;
-    const Bench bench;
+    const Cluster bench;
     const Outcome outcome = shell(under_mpirun(3, bench.words("out") + " --vary Q=1,2"));
     CHECK(outcome.exit_code == 2);
     const std::string said = "defines no parameter of that name";
