@@ -41,7 +41,7 @@ TEST_CASE("verify finds nothing wrong with this device in a share of the generat
 
     INFO(outcome.out << outcome.err);
     REQUIRE(outcome.exit_code == 0);
-    CHECK_THAT(outcome.out, Contains("KERNEL") && Contains("streamed steps") && Contains("VERDICT"));
+    CHECK_THAT(outcome.out, Contains("KERNEL") && Contains("tiled steps") && Contains("VERDICT"));
     const auto report = nlohmann::json::parse(read_all(folder / "report.json"));
     for (const char* key : {"device", "driver", "platform", "build_options", "version", "seed"}) {
         CHECK(report.contains(key));
