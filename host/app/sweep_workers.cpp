@@ -27,26 +27,22 @@ RunOptions on_device(RunOptions options, std::size_t index) {
     return options;
 }
 
-bool usable_card(const DeviceInfo& device) {
-    return device.unusable.empty() && device.type == "gpu" && !device.software_rasteriser();
+// Of the usable devices those that `wanted` takes, by their index.
+std::vector<std::size_t> devices_here(bool (*wanted)(const DeviceInfo&)) {
+    std::vector<std::size_t> found;
+    for (const DeviceInfo& device : list_devices()) {
+        if (device.unusable.empty() && wanted(device)) found.push_back(device.index);
+    }
+    return found;
 }
 
 std::vector<std::size_t> cards_here() {
-    std::vector<std::size_t> cards;
-    for (const DeviceInfo& device : list_devices()) {
-        if (usable_card(device)) cards.push_back(device.index);
-    }
-    return cards;
+    return devices_here([](const DeviceInfo& device) { return device.type == "gpu" && !device.software_rasteriser(); });
 }
 
 std::vector<std::size_t> devices_worth_it() {
-    std::vector<std::size_t> good, all;
-    for (const DeviceInfo& device : list_devices()) {
-        if (!device.unusable.empty()) continue;
-        all.push_back(device.index);
-        if (!device.software_rasteriser()) good.push_back(device.index);
-    }
-    return good.empty() ? all : good;
+    const auto good = devices_here([](const DeviceInfo& device) { return !device.software_rasteriser(); });
+    return good.empty() ? devices_here([](const DeviceInfo&) { return true; }) : good;
 }
 
 void work(Backend& backend, sweep::Share& share, const TileRunner& runner) {

@@ -129,8 +129,8 @@ private:
         std::array<std::uint64_t, block> weights;
         const std::size_t end = begin_of(thread + 1, blocks_.size());
         for (std::size_t i = begin_of(thread, blocks_.size()); i < end; ++i)
-            blocks_[i] = weigh(candidates(), i * block, std::min(sums_.size(), (i + 1) * block), numbers(eta),
-                               weights.data());
+            blocks_[i] =
+                weigh(candidates(), i * block, std::min(sums_.size(), (i + 1) * block), numbers(eta), weights.data());
     }
 
     std::size_t chosen(const Particle& particle) {

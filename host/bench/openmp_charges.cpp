@@ -72,7 +72,8 @@ PELAGE_WITHIN std::int64_t weight_of(float share, float eta) {
     q = q * f + 0x1.ebf918p-3f;
     q = q * f + 0x1.62e428p-1f;
     q = q * f + 0x1.000002p+0f;
-    const std::int32_t found = bits_of(q) + static_cast<std::int32_t>(static_cast<std::uint32_t>(bits_of(shifted)) << 23);
+    const std::int32_t found =
+        bits_of(q) + static_cast<std::int32_t>(static_cast<std::uint32_t>(bits_of(shifted)) << 23);
     return static_cast<std::int64_t>(of_bits(found) * 0x1p38f);
 }
 

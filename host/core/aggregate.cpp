@@ -162,14 +162,14 @@ void show_aggregate(Snapshot& state, const Aggregate& aggregate, const Front& fr
     }
 }
 
-namespace {
-
 std::int64_t sum_at(std::uint32_t site, const Front& front) {
     std::int64_t sum = 0;
     for (const std::uint32_t charge : front.charges())
         sum += inverse_distance(site, charge, static_cast<std::uint32_t>(front.columns()));
     return sum;
 }
+
+namespace {
 
 // Whether some sums, evenly spread, are what the charges add up to.
 bool sums_hold(const std::vector<std::int64_t>& sums, const Front& front) {

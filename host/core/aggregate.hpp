@@ -90,6 +90,9 @@ private:
     std::vector<std::int32_t> sites_;
 };
 
+// Sum of 1 / r from a site to all charges, in parts.
+std::int64_t sum_at(std::uint32_t site, const Front&);
+
 // The state of an aggregate as a snapshot shows it: the order of arrival of each charge, and of each candidate
 // sum (1 - 1 / r) over all charges. `sums` are those of 1 / r, one a place, in parts.
 void show_aggregate(Snapshot&, const Aggregate&, const Front&, const std::vector<std::int64_t>& sums);

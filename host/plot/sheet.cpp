@@ -45,10 +45,7 @@ double title_width(const std::string& words, double size) {
     const Surface surface(cairo_image_surface_create(CAIRO_FORMAT_RGB24, 1, 1));
     const Context context(cairo_create(surface.get()));
     cairo_select_font_face(context.get(), "sans-serif", CAIRO_FONT_SLANT_NORMAL, CAIRO_FONT_WEIGHT_NORMAL);
-    cairo_set_font_size(context.get(), size);
-    cairo_text_extents_t extents;
-    cairo_text_extents(context.get(), words.c_str(), &extents);
-    return extents.x_advance;
+    return width_of_text(context.get(), words, size);
 }
 
 void check(cairo_status_t status, const std::filesystem::path& file) {
@@ -96,7 +93,7 @@ private:
         const auto x = what_.at("x").at("values").get<std::vector<std::string>>();
         const auto y = what_.at("y").at("values").get<std::vector<std::string>>();
         double widest = 0;
-        for (const std::string& value : x) widest = std::max(widest, width_of(value));
+        for (const std::string& value : x) widest = std::max(widest, width_of_text(cairo_.get(), value, m_.letters));
         const auto every = 1 + static_cast<std::size_t>((widest + 10 * m_.grown) / (across + gap));
         for (std::size_t i = 0; i < x.size(); i += every)
             text(m_.left + static_cast<double>(i) * (across + gap) + across / 2, m_.top + height_ + 16 * m_.grown, x[i],
@@ -108,13 +105,6 @@ private:
              m_.letters * 1.15, 0.5);
         text(24 * m_.grown, m_.top + height_ / 2, what_.at("y").at("name").get<std::string>(), m_.letters * 1.15, 0.5,
              true);
-    }
-
-    double width_of(const std::string& words) {
-        cairo_set_font_size(cairo_.get(), m_.letters);
-        cairo_text_extents_t extents;
-        cairo_text_extents(cairo_.get(), words.c_str(), &extents);
-        return extents.x_advance;
     }
 
     void bar() {

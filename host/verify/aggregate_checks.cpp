@@ -40,10 +40,10 @@ constexpr std::array<AggregateCase, 6> aggregate_cases{{
 }};
 
 Experiment experiment_of(const AggregateCase& one) {
-    const std::string text =
-        fmt::format("define chemical order\ndefine chemical phi\nuse seed 7\ncreate charges {}\n"
-                    "set cells where ({}) chemical order conc (1 + mod(COLUMN + ROW, 3))\n{}",
-                    one.size, one.seed, one.rules);
+    const std::string text = fmt::format(
+        "define chemical order\ndefine chemical phi\nuse seed 7\ncreate charges {}\n"
+        "set cells where ({}) chemical order conc (1 + mod(COLUMN + ROW, 3))\n{}",
+        one.size, one.seed, one.rules);
     return parse_experiment(text, one.name, ".");
 }
 

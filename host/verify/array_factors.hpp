@@ -36,8 +36,8 @@ struct GeneratedWorld {
     std::vector<ArrayRow> rules;  // whole rows: the world's values, then the rule's
 };
 
-// Worlds in which all pairs of values meet (strength 2), of the world, of rules, and between the two; or (3) all triples
-// of settings of the world, and of parts of a rule that have few values together.
+// Worlds in which all pairs of values meet (strength 2), of the world, of rules, and between the two; or (3) all
+// triples of settings of the world, and of parts of a rule that have few values together.
 const std::vector<GeneratedWorld>& generated_worlds(Realm, std::size_t strength);
 
 // How many there are, and their values, known without dealing out the rules.

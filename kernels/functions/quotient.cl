@@ -1,32 +1,29 @@
 //@ part | needs numbers
 // Quotients and square roots as pairs, from a first guess by the bits and steps of third order.
 
-// 1 / d to a few units of the last place, for d between 2^-60 and 2^60.
-static inline real pelage_reciprocal(real d) {
+// 1 / d for d between 2^-60 and 2^60, by so many steps, each of which makes the error its cube.
+static inline real pelage_reciprocal_by(int steps, real d) {
     real y = AS_NUMBER(WORD(0x7ef311c7u, 0x7fde6238da3c2118ul) - AS_BITS(d));
-    real e = fma(-d, y, R(1));
-    y = fma(y, fma(e, e, e), y);
-    e = fma(-d, y, R(1));
-    y = fma(y, fma(e, e, e), y);
-    e = fma(-d, y, R(1));
-    return fma(y, fma(e, e, e), y);
-}
-
-// n / d for positive d between 2^-60 and 2^60.
-// The same with a step less where float needs none more.
-static inline real pelage_quick_reciprocal(real d) {
-    real y = AS_NUMBER(WORD(0x7ef311c7u, 0x7fde6238da3c2118ul) - AS_BITS(d));
-    real e = fma(-d, y, R(1));
-    y = fma(y, fma(e, e, e), y);
-    e = fma(-d, y, R(1));
-    y = fma(y, fma(e, e, e), y);
-#ifdef PELAGE_DOUBLE
-    e = fma(-d, y, R(1));
-    y = fma(y, fma(e, e, e), y);
-#endif
+    for (int step = 0; step < steps; ++step) {
+        const real e = fma(-d, y, R(1));
+        y = fma(y, fma(e, e, e), y);
+    }
     return y;
 }
 
+// To a few units of the last place.
+static inline real pelage_reciprocal(real d) { return pelage_reciprocal_by(3, d); }
+
+// The same with a step less where float needs none more.
+static inline real pelage_quick_reciprocal(real d) {
+#ifdef PELAGE_DOUBLE
+    return pelage_reciprocal_by(3, d);
+#else
+    return pelage_reciprocal_by(2, d);
+#endif
+}
+
+// n / d for positive d between 2^-60 and 2^60.
 static inline struct pelage_pair pelage_quotient(struct pelage_pair n, struct pelage_pair d) {
     const real y = pelage_reciprocal(d.high);
     struct pelage_pair q;

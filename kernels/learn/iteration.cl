@@ -62,6 +62,17 @@ PELAGE_LEARN void pelage_ask(global const scalar* restrict weights, const real* 
     }
 }
 
+// sums[i] += z[k] w[...] over a block of hidden values, whose weights lie `apart` and those of chemicals `onward`.
+PELAGE_LEARN void pelage_add_block(const real* z, global const scalar* restrict w, int apart, int onward, real* sums) {
+#pragma unroll 4
+    for (int i = 0; i < PELAGE_CHEMICALS; ++i) {
+        real sum = sums[i];
+#pragma unroll
+        for (int k = 0; k < PELAGE_HIDDEN_BLOCK; ++k) sum = fma(z[k], R(w[k * apart + i * onward]), sum);
+        sums[i] = sum;
+    }
+}
+
 PELAGE_LEARN void pelage_iterate_cells(global const scalar* restrict weights, global const scalar* restrict from,
                                        global scalar* restrict to, int cell) {
     real x[PELAGE_CHEMICALS], y[PELAGE_CHEMICALS];
@@ -75,14 +86,7 @@ PELAGE_LEARN void pelage_iterate_cells(global const scalar* restrict weights, gl
         pelage_ask(weights, x, h, z);
 #pragma unroll
         for (int k = 0; k < PELAGE_HIDDEN_BLOCK; ++k) z[k] = z[k] * pelage_quick_sigmoid(R(5) * z[k]);
-        global const scalar* w = weights + PELAGE_SECOND + h * PELAGE_CHEMICALS;
-#pragma unroll 4
-        for (int i = 0; i < PELAGE_CHEMICALS; ++i) {
-            real sum = y[i];
-#pragma unroll
-            for (int k = 0; k < PELAGE_HIDDEN_BLOCK; ++k) sum = fma(z[k], R(w[k * PELAGE_CHEMICALS + i]), sum);
-            y[i] = sum;
-        }
+        pelage_add_block(z, weights + PELAGE_SECOND + h * PELAGE_CHEMICALS, PELAGE_CHEMICALS, 1, y);
     }
     for (int i = 0; i < PELAGE_CHEMICALS; ++i) STORE(y[i], to + i * PELAGE_CELLS + cell);
 }
@@ -128,14 +132,7 @@ PELAGE_LEARN void pelage_reverse_cells(global const scalar* restrict weights, gl
             STORE(act, acts + (h + k) * PELAGE_TILE + place);
             STORE(dz[k], slopes + (h + k) * PELAGE_TILE + place);
         }
-        global const scalar* first = weights + h;
-#pragma unroll 4
-        for (int i = 0; i < PELAGE_CHEMICALS; ++i) {
-            real sum = dx[i];
-#pragma unroll
-            for (int k = 0; k < PELAGE_HIDDEN_BLOCK; ++k) sum = fma(dz[k], R(first[i * PELAGE_HIDDEN + k]), sum);
-            dx[i] = sum;
-        }
+        pelage_add_block(dz, weights + h, 1, PELAGE_HIDDEN, dx);
     }
     for (int i = 0; i < PELAGE_CHEMICALS; ++i) STORE(dx[i], before + i * PELAGE_CELLS + cell);
 }

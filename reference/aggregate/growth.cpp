@@ -13,14 +13,7 @@ namespace pelage::reference {
 
 Growth::Growth(Front front, std::vector<std::int64_t> sums) : front_(std::move(front)), sums_(std::move(sums)) {
     if (!sums_.empty()) return;
-    for (const std::uint32_t site : front_.places()) sums_.push_back(site == no_site ? 0 : sum_at(site));
-}
-
-std::int64_t Growth::sum_at(std::uint32_t site) const {
-    const auto columns = static_cast<std::uint32_t>(front_.columns());
-    std::int64_t sum = 0;
-    for (const std::uint32_t charge : front_.charges()) sum += inverse_distance(site, charge, columns);
-    return sum;
+    for (const std::uint32_t site : front_.places()) sums_.push_back(site == no_site ? 0 : sum_at(site, front_));
 }
 
 std::int64_t Growth::pull(const Particle& particle, std::uint32_t site) const {
@@ -65,7 +58,7 @@ void Growth::take(std::uint32_t site) {
     for (std::size_t place = 0; place < sums_.size(); ++place) {
         if (front_.places()[place] != no_site) sums_[place] += inverse_distance(front_.places()[place], site, columns);
     }
-    for (const std::uint32_t place : front_.added()) sums_[place] = sum_at(front_.places()[place]);
+    for (const std::uint32_t place : front_.added()) sums_[place] = sum_at(front_.places()[place], front_);
 }
 
 }  // namespace pelage::reference

@@ -26,7 +26,6 @@ public:
 
 private:
     std::int64_t pull(const Particle&, std::uint32_t site) const;
-    std::int64_t sum_at(std::uint32_t site) const;
 
     Front front_;
     std::vector<std::int64_t> sums_;

@@ -1,4 +1,5 @@
-// Where the processor has fma the compiler may use it in some functions: those in whose sums most of a run's time goes by.
+// Where the processor has fma the compiler may use it in some functions: those in whose sums most of a run's time goes
+// by.
 #pragma once
 
 #if defined(__x86_64__) && defined(__GNUC__)

@@ -5,28 +5,28 @@
 
 namespace pelage::reference::functions {
 
-// 1 / d to a few units of the last place, for d between 2^-60 and 2^60.
+// 1 / d for d between 2^-60 and 2^60, by so many steps, each of which makes the error its cube.
 template <class T>
-T reciprocal(T d) {
+T reciprocal_by(int steps, T d) {
     const Bits<T> guess = single<T> ? Bits<T>(0x7ef311c7) : Bits<T>(0x7fde6238da3c2118);
     T y = number_of<T>(guess - bits_of(d));
-    for (int step = 0; step < 3; ++step) {
+    for (int step = 0; step < steps; ++step) {
         const T e = std::fma(-d, y, T(1));
         y = std::fma(y, std::fma(e, e, e), y);
     }
     return y;
 }
 
+// To a few units of the last place.
+template <class T>
+T reciprocal(T d) {
+    return reciprocal_by(3, d);
+}
+
 // The same with a step less where float needs none more.
 template <class T>
 T quick_reciprocal(T d) {
-    const Bits<T> guess = single<T> ? Bits<T>(0x7ef311c7) : Bits<T>(0x7fde6238da3c2118);
-    T y = number_of<T>(guess - bits_of(d));
-    for (int step = 0; step < (single<T> ? 2 : 3); ++step) {
-        const T e = std::fma(-d, y, T(1));
-        y = std::fma(y, std::fma(e, e, e), y);
-    }
-    return y;
+    return reciprocal_by(single<T> ? 2 : 3, d);
 }
 
 // n / d for positive d between 2^-60 and 2^60.

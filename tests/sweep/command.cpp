@@ -1,5 +1,6 @@
 // `pelage sweep` as a user meets it.
 #include "core/prepattern.hpp"
+#include "csv.hpp"
 #include "language/parse.hpp"
 #include "reference/backend.hpp"
 #include "support/process.hpp"
@@ -19,6 +20,7 @@ using test::command;
 using test::Folder;
 using test::Outcome;
 using test::read_all;
+using test::without_times;
 
 namespace {
 
@@ -49,13 +51,6 @@ std::vector<Row> rows_of(const std::string& csv) {
         }
     }
     return rows;
-}
-
-std::string without_times(const std::string& csv) {
-    std::istringstream lines(csv);
-    std::string all;
-    for (std::string line; std::getline(lines, line);) all += line.substr(0, line.rfind(',')) + "\n";
-    return all;
 }
 
 class Bench {

@@ -1,4 +1,5 @@
 // `mpirun pelage sweep`: several processes share the tiles of one sweep.
+#include "csv.hpp"
 #include "support/process.hpp"
 
 #include <catch2/catch.hpp>
@@ -7,7 +8,6 @@
 #include <csignal>
 #include <filesystem>
 #include <iostream>
-#include <sstream>
 #include <string>
 #include <vector>
 
@@ -17,6 +17,7 @@ using test::Folder;
 using test::Outcome;
 using test::read_all;
 using test::shell;
+using test::without_times;
 
 namespace {
 
@@ -38,19 +39,12 @@ std::string under_mpirun(int ranks, const std::string& words) {
            std::to_string(ranks) + " " + test::program + " " + words;
 }
 
-std::string untimed(const std::string& csv) {
-    std::istringstream lines(csv);
-    std::string all;
-    for (std::string line; std::getline(lines, line);) all += line.substr(0, line.rfind(',')) + "\n";
-    return all;
-}
-
 struct Cluster {
     std::string words(const std::string& out) const {
         return "sweep " + file + " --backend reference --jobs 1 --vary K=0.05:0.07:4 --vary F=0.02,0.04,0.05 --out " +
                (folder / out).string();
     }
-    std::string csv(const std::string& out) const { return untimed(read_all(folder / (out + "/sweep.csv"))); }
+    std::string csv(const std::string& out) const { return without_times(read_all(folder / (out + "/sweep.csv"))); }
 
     Folder folder;
     std::string file = folder.write("map.pex", map_text);
