@@ -23,6 +23,8 @@ def arguments():
     parser.add_argument("--iterations", type=int, default=64)
     parser.add_argument("--steps", type=int, default=5, help="of a turn")
     parser.add_argument("--turns", type=int, default=3)
+    parser.add_argument("--torch-device", default="cpu", help="where PyTorch computes: cpu or cuda")
+    parser.add_argument("--device", help="where Pelage computes, as in `pelage learn --device`")
     return parser.parse_args()
 
 
@@ -46,6 +48,11 @@ class TorchStep:
         sides = [options.size >> level for level in range(LEVELS)]
         self.ranked = [torch.sort(torch.rand(DIRECTIONS, side * side, generator=make) - 0.5)[0] for side in sides]
         self.state = 0.1 * torch.rand(options.batch, chemicals, options.size, options.size, generator=make)
+        self.first, self.bias, self.second = (
+            weights.detach().to(options.torch_device).requires_grad_() for weights in (self.first, self.bias, self.second))
+        self.kernel, self.directions, self.state = (
+            values.to(options.torch_device) for values in (self.kernel, self.directions, self.state))
+        self.ranked = [values.to(options.torch_device) for values in self.ranked]
         self.optimiser = torch.optim.Adam([self.first, self.bias, self.second], lr=1e-3)
 
     def around(self, x, width):
@@ -74,6 +81,10 @@ class TorchStep:
             weights.grad /= weights.grad.norm() + 1e-8
         self.optimiser.step()
 
+    def wait(self):
+        if self.options.torch_device != "cpu":
+            self.torch.cuda.synchronize()
+
 
 def pelage_seconds(options, steps):
     """Of one training of so many steps, its start included."""
@@ -82,7 +93,8 @@ def pelage_seconds(options, steps):
         subprocess.run([options.pelage, "learn", options.picture, "--out", f"{folder}/x.npz", "--quiet", "--rotations", "1",
                         "--size", str(options.size), "--chemicals", str(options.chemicals), "--hidden", str(options.hidden),
                         "--batch", str(options.batch), "--iterations", f"{options.iterations}:{options.iterations}",
-                        "--steps", str(steps), "--pool", str(max(8, options.batch))], check=True, stdout=subprocess.DEVNULL)
+                        "--steps", str(steps), "--pool", str(max(8, options.batch)),
+                        *(["--device", options.device] if options.device else [])], check=True, stdout=subprocess.DEVNULL)
         return time.perf_counter() - start
 
 
@@ -93,6 +105,7 @@ def main():
         import torch
         peer = TorchStep(torch, options)
         peer.step()
+        peer.wait()
     except ImportError as error:
         print(f"left out: PyTorch: {error}; Debian package python3-torch")
     pelage_seconds(options, 1)  # compiles
@@ -102,10 +115,12 @@ def main():
             start = time.perf_counter()
             for _ in range(options.steps):
                 peer.step()
+            peer.wait()
             theirs.append((time.perf_counter() - start) / options.steps)
     print(f"pelage learn: {min(ours):.3f} s a step")
     if theirs:
-        print(f"PyTorch {torch.__version__}, {torch.get_num_threads()} threads: {min(theirs):.3f} s a step")
+        where = f"{torch.get_num_threads()} threads" if options.torch_device == "cpu" else options.torch_device
+        print(f"PyTorch {torch.__version__}, {where}: {min(theirs):.3f} s a step")
         print(f"pelage is {min(theirs) / min(ours):.2f} times as fast")
     return 0
 

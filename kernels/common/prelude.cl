@@ -34,6 +34,13 @@
 #define IS_FINITE(v) ((as_uint(v) & 0x7f800000u) != 0x7f800000u)
 #endif
 
+// Loops over a work-item's own arrays: a GPU keeps these in registers only where such loops are unrolled whole.
+#if PELAGE_WIDTH == 1
+#define PELAGE_UNROLLED _Pragma("unroll")
+#else
+#define PELAGE_UNROLLED _Pragma("unroll 4")
+#endif
+
 // real: one number a lane. mask: truth a lane, as comparisons of real give it; combine with & and |.
 typedef PELAGE_SCALAR scalar;
 #if PELAGE_WIDTH == 1

@@ -3,5 +3,5 @@
 static inline real pelage_mod(real a, real b) {
     a = pelage_flushed(a);
     b = pelage_flushed(b);
-    return a - b * floor(a / b);
+    return a - b * floor(pelage_flushed(a / b));
 }

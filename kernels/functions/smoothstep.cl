@@ -4,5 +4,5 @@ static inline real pelage_smoothstep(real low, real high, real x) {
     low = pelage_flushed(low);
     const real t = (pelage_flushed(x) - low) / (pelage_flushed(high) - low);
     const real held = HELD(t, R(0), R(1));
-    return (held * held) * fma(R(-2), held, R(3));
+    return pelage_flushed(held * held) * fma(R(-2), held, R(3));
 }

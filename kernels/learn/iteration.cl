@@ -1,5 +1,5 @@
 // One iteration of the system that learns, and the way back through it; see reference/learn/iteration.hpp. Needs
-// learn/sums.cl and functions/quick_sigmoid.cl.
+// common/four.cl, learn/sums.cl and functions/quick_sigmoid.cl.
 //   PELAGE_SIDE, PELAGE_BATCH, PELAGE_CHEMICALS, PELAGE_HIDDEN   see LearningShape
 //   PELAGE_RUN_CELLS, PELAGE_RUNS   cells of a run, and runs of a sample
 //   PELAGE_TILE          cells of a run that are on their way at a time, a multiple of PELAGE_LANES
@@ -54,29 +54,72 @@ PELAGE_LEARN real pelage_share(int chemical) {
 PELAGE_LEARN void pelage_ask(global const scalar* restrict weights, const real* x, int h, real* z) {
 #pragma unroll
     for (int k = 0; k < PELAGE_HIDDEN_BLOCK; ++k) z[k] = R(weights[PELAGE_BIAS + h + k]);
-#pragma unroll 4
-    for (int i = 0; i < PELAGE_CHEMICALS; ++i) {
+    PELAGE_UNROLLED for (int i = 0; i < PELAGE_CHEMICALS; ++i) {
         global const scalar* w = weights + i * PELAGE_HIDDEN + h;
 #pragma unroll
-        for (int k = 0; k < PELAGE_HIDDEN_BLOCK; ++k) z[k] = fma(x[i], R(w[k]), z[k]);
+        for (int k = 0; k < PELAGE_HIDDEN_BLOCK; k += 4) {
+            FETCH_FOUR(four, w + k);
+            z[k] = fma(x[i], FOURTH(four, w + k, 0), z[k]);
+            z[k + 1] = fma(x[i], FOURTH(four, w + k, 1), z[k + 1]);
+            z[k + 2] = fma(x[i], FOURTH(four, w + k, 2), z[k + 2]);
+            z[k + 3] = fma(x[i], FOURTH(four, w + k, 3), z[k + 3]);
+        }
     }
 }
 
-// sums[i] += z[k] w[...] over a block of hidden values, whose weights lie `apart` and those of chemicals `onward`.
-PELAGE_LEARN void pelage_add_block(const real* z, global const scalar* restrict w, int apart, int onward, real* sums) {
-#pragma unroll 4
-    for (int i = 0; i < PELAGE_CHEMICALS; ++i) {
+// sums[i] += z[k] w[...] over a block of hidden values, of whose weights each has one a chemical (W1).
+PELAGE_LEARN void pelage_add_answers(const real* z, global const scalar* restrict w, real* sums) {
+    PELAGE_UNROLLED for (int i = 0; i < PELAGE_CHEMICALS; i += 4) {
+#pragma unroll
+        for (int k = 0; k < PELAGE_HIDDEN_BLOCK; ++k) {
+            global const scalar* own = w + k * PELAGE_CHEMICALS + i;
+            FETCH_FOUR(four, own);
+            sums[i] = fma(z[k], FOURTH(four, own, 0), sums[i]);
+            sums[i + 1] = fma(z[k], FOURTH(four, own, 1), sums[i + 1]);
+            sums[i + 2] = fma(z[k], FOURTH(four, own, 2), sums[i + 2]);
+            sums[i + 3] = fma(z[k], FOURTH(four, own, 3), sums[i + 3]);
+        }
+    }
+}
+
+// The same with the weights of W0, of which each chemical has one a hidden value.
+PELAGE_LEARN void pelage_add_questions(const real* z, global const scalar* restrict w, real* sums) {
+    PELAGE_UNROLLED for (int i = 0; i < PELAGE_CHEMICALS; ++i) {
         real sum = sums[i];
 #pragma unroll
-        for (int k = 0; k < PELAGE_HIDDEN_BLOCK; ++k) sum = fma(z[k], R(w[k * apart + i * onward]), sum);
+        for (int k = 0; k < PELAGE_HIDDEN_BLOCK; k += 4) {
+            global const scalar* own = w + i * PELAGE_HIDDEN + k;
+            FETCH_FOUR(four, own);
+            sum = fma(z[k], FOURTH(four, own, 0), sum);
+            sum = fma(z[k + 1], FOURTH(four, own, 1), sum);
+            sum = fma(z[k + 2], FOURTH(four, own, 2), sum);
+            sum = fma(z[k + 3], FOURTH(four, own, 3), sum);
+        }
         sums[i] = sum;
+    }
+}
+
+// dz[k] = the slopes along what comes out, dy, times the weights of W1.
+PELAGE_LEARN void pelage_ask_back(global const scalar* restrict w, const real* dy, real* dz) {
+#pragma unroll
+    for (int k = 0; k < PELAGE_HIDDEN_BLOCK; ++k) dz[k] = R(0);
+    PELAGE_UNROLLED for (int i = 0; i < PELAGE_CHEMICALS; i += 4) {
+#pragma unroll
+        for (int k = 0; k < PELAGE_HIDDEN_BLOCK; ++k) {
+            global const scalar* own = w + k * PELAGE_CHEMICALS + i;
+            FETCH_FOUR(four, own);
+            dz[k] = fma(dy[i], FOURTH(four, own, 0), dz[k]);
+            dz[k] = fma(dy[i + 1], FOURTH(four, own, 1), dz[k]);
+            dz[k] = fma(dy[i + 2], FOURTH(four, own, 2), dz[k]);
+            dz[k] = fma(dy[i + 3], FOURTH(four, own, 3), dz[k]);
+        }
     }
 }
 
 PELAGE_LEARN void pelage_iterate_cells(global const scalar* restrict weights, global const scalar* restrict from,
                                        global scalar* restrict to, int cell) {
     real x[PELAGE_CHEMICALS], y[PELAGE_CHEMICALS];
-    for (int i = 0; i < PELAGE_CHEMICALS; ++i) {
+    PELAGE_UNROLLED for (int i = 0; i < PELAGE_CHEMICALS; ++i) {
         global const scalar* plane = from + i * PELAGE_CELLS;
         x[i] = LOAD(plane + cell);
         y[i] = pelage_diffused(plane, cell / PELAGE_SIDE, cell % PELAGE_SIDE, pelage_share(i));
@@ -86,9 +129,9 @@ PELAGE_LEARN void pelage_iterate_cells(global const scalar* restrict weights, gl
         pelage_ask(weights, x, h, z);
 #pragma unroll
         for (int k = 0; k < PELAGE_HIDDEN_BLOCK; ++k) z[k] = z[k] * pelage_quick_sigmoid(R(5) * z[k]);
-        pelage_add_block(z, weights + PELAGE_SECOND + h * PELAGE_CHEMICALS, PELAGE_CHEMICALS, 1, y);
+        pelage_add_answers(z, weights + PELAGE_SECOND + h * PELAGE_CHEMICALS, y);
     }
-    for (int i = 0; i < PELAGE_CHEMICALS; ++i) STORE(y[i], to + i * PELAGE_CELLS + cell);
+    PELAGE_UNROLLED for (int i = 0; i < PELAGE_CHEMICALS; ++i) STORE(y[i], to + i * PELAGE_CELLS + cell);
 }
 
 // `vectors` of them for each work-item.
@@ -107,7 +150,7 @@ PELAGE_LEARN void pelage_reverse_cells(global const scalar* restrict weights, gl
                                        global const scalar* restrict after, global scalar* restrict before,
                                        global scalar* restrict acts, global scalar* restrict slopes, int cell, int place) {
     real x[PELAGE_CHEMICALS], dy[PELAGE_CHEMICALS], dx[PELAGE_CHEMICALS];
-    for (int i = 0; i < PELAGE_CHEMICALS; ++i) {
+    PELAGE_UNROLLED for (int i = 0; i < PELAGE_CHEMICALS; ++i) {
         global const scalar* plane = after + i * PELAGE_CELLS;
         x[i] = LOAD(state + i * PELAGE_CELLS + cell);
         dy[i] = LOAD(plane + cell);
@@ -116,14 +159,7 @@ PELAGE_LEARN void pelage_reverse_cells(global const scalar* restrict weights, gl
     for (int h = 0; h < PELAGE_HIDDEN; h += PELAGE_HIDDEN_BLOCK) {
         real z[PELAGE_HIDDEN_BLOCK], dz[PELAGE_HIDDEN_BLOCK];
         pelage_ask(weights, x, h, z);
-#pragma unroll
-        for (int k = 0; k < PELAGE_HIDDEN_BLOCK; ++k) dz[k] = R(0);
-        global const scalar* second = weights + PELAGE_SECOND + h * PELAGE_CHEMICALS;
-#pragma unroll 4
-        for (int i = 0; i < PELAGE_CHEMICALS; ++i) {
-#pragma unroll
-            for (int k = 0; k < PELAGE_HIDDEN_BLOCK; ++k) dz[k] = fma(dy[i], R(second[k * PELAGE_CHEMICALS + i]), dz[k]);
-        }
+        pelage_ask_back(weights + PELAGE_SECOND + h * PELAGE_CHEMICALS, dy, dz);
 #pragma unroll
         for (int k = 0; k < PELAGE_HIDDEN_BLOCK; ++k) {
             const real s = pelage_quick_sigmoid(R(5) * z[k]);
@@ -132,9 +168,9 @@ PELAGE_LEARN void pelage_reverse_cells(global const scalar* restrict weights, gl
             STORE(act, acts + (h + k) * PELAGE_TILE + place);
             STORE(dz[k], slopes + (h + k) * PELAGE_TILE + place);
         }
-        pelage_add_block(dz, weights + h, 1, PELAGE_HIDDEN, dx);
+        pelage_add_questions(dz, weights + h, dx);
     }
-    for (int i = 0; i < PELAGE_CHEMICALS; ++i) STORE(dx[i], before + i * PELAGE_CELLS + cell);
+    PELAGE_UNROLLED for (int i = 0; i < PELAGE_CHEMICALS; ++i) STORE(dx[i], before + i * PELAGE_CELLS + cell);
 }
 
 // Adds the products of PELAGE_BLOCK rows of `a` and of `b`, `count` cells long, to the partial sums of weights, those of
@@ -185,12 +221,12 @@ PELAGE_LEARN void pelage_add_biases(global const scalar* restrict slopes, int co
     }
 }
 
-// All weights' products of one tile; the work-items of a group take turns.
+// All weights' products of one tile.
 PELAGE_LEARN void pelage_add_tile(global const scalar* restrict state, global const scalar* restrict after,
                                   global const scalar* restrict acts, global const scalar* restrict slopes, int count,
-                                  global scalar* restrict sums, int me, int all) {
+                                  global scalar* restrict sums) {
     const int across = PELAGE_HIDDEN / PELAGE_BLOCK;
-    for (int block = me; block < PELAGE_CHEMICALS / PELAGE_BLOCK * across; block += all) {
+    for (int block = 0; block < PELAGE_CHEMICALS / PELAGE_BLOCK * across; ++block) {
         const int i = block / across * PELAGE_BLOCK;
         const int h = block % across * PELAGE_BLOCK;
         pelage_add_products(state + i * PELAGE_CELLS, PELAGE_CELLS, slopes + h * PELAGE_TILE, PELAGE_TILE, count,
@@ -198,31 +234,26 @@ PELAGE_LEARN void pelage_add_tile(global const scalar* restrict state, global co
         pelage_add_products(acts + h * PELAGE_TILE, PELAGE_TILE, after + i * PELAGE_CELLS, PELAGE_CELLS, count,
                             sums + (PELAGE_SECOND + h * PELAGE_CHEMICALS + i) * PELAGE_LANES, PELAGE_CHEMICALS);
     }
-    for (int h = me; h < PELAGE_HIDDEN; h += all)
+    for (int h = 0; h < PELAGE_HIDDEN; ++h)
         pelage_add_biases(slopes + h * PELAGE_TILE, count, sums + (PELAGE_BIAS + h) * PELAGE_LANES);
 }
 
-// A group takes a run of cells of one sample. sums: [sample][run][weight][lane]; scratch: two tiles a run.
+// A work-item takes a run of cells of one sample. sums: [sample][run][weight][lane]; scratch: two tiles a run.
 kernel void pelage_learn_reverse(global const scalar* restrict weights, global const scalar* restrict states,
                                  global const scalar* restrict after, global scalar* restrict before,
                                  global scalar* restrict scratch, global scalar* restrict sums) {
-    const int me = (int)get_local_id(0);
-    const int all = (int)get_local_size(0);
-    for (int run = (int)get_group_id(0); run < PELAGE_BATCH * PELAGE_RUNS; run += (int)get_num_groups(0)) {
-        const int sample = run / PELAGE_RUNS * PELAGE_SAMPLE;
-        const int begin = run % PELAGE_RUNS * PELAGE_RUN_CELLS;
-        const int end = min(begin + PELAGE_RUN_CELLS, PELAGE_CELLS);
-        global scalar* acts = scratch + (long)run * (2 * PELAGE_HIDDEN * PELAGE_TILE);
-        global scalar* slopes = acts + PELAGE_HIDDEN * PELAGE_TILE;
-        global scalar* own = sums + (long)run * (PELAGE_WEIGHTS * PELAGE_LANES);
-        for (int tile = begin; tile < end; tile += PELAGE_TILE) {
-            const int count = min(PELAGE_TILE, end - tile);
-            for (int place = me * PELAGE_WIDTH; place < count; place += all * PELAGE_WIDTH)
-                pelage_reverse_cells(weights, states + sample, after + sample, before + sample, acts, slopes, tile + place,
-                                     place);
-            PELAGE_MEET;
-            pelage_add_tile(states + sample + tile, after + sample + tile, acts, slopes, count, own, me, all);
-            PELAGE_MEET;
-        }
+    const int run = (int)get_global_id(0);
+    if (run >= PELAGE_BATCH * PELAGE_RUNS) return;
+    const int sample = run / PELAGE_RUNS * PELAGE_SAMPLE;
+    const int begin = run % PELAGE_RUNS * PELAGE_RUN_CELLS;
+    const int end = min(begin + PELAGE_RUN_CELLS, PELAGE_CELLS);
+    global scalar* acts = scratch + (long)run * (2 * PELAGE_HIDDEN * PELAGE_TILE);
+    global scalar* slopes = acts + PELAGE_HIDDEN * PELAGE_TILE;
+    global scalar* own = sums + (long)run * (PELAGE_WEIGHTS * PELAGE_LANES);
+    for (int tile = begin; tile < end; tile += PELAGE_TILE) {
+        const int count = min(PELAGE_TILE, end - tile);
+        for (int place = 0; place < count; place += PELAGE_WIDTH)
+            pelage_reverse_cells(weights, states + sample, after + sample, before + sample, acts, slopes, tile + place, place);
+        pelage_add_tile(states + sample + tile, after + sample + tile, acts, slopes, count, own);
     }
 }

@@ -66,18 +66,20 @@ PELAGE_LEARN void pelage_look(global const scalar* restrict picture, global cons
     }
 }
 
-// A work-item takes a row.
+// A work-item takes `many` pixels of a row, a multiple of 4, where it goes on so far.
 kernel void pelage_learn_look(global const scalar* restrict pictures, global const scalar* restrict directions,
-                              const int set, global scalar* restrict seen, const int level) {
-    const int side = PELAGE_LEVEL_SIDE(level);
-    const int sample = (int)get_global_id(0) / side, row = (int)get_global_id(0) % side;
+                              const int set, global scalar* restrict seen, const int level, const int many) {
+    const int side = PELAGE_LEVEL_SIDE(level), pieces = (side + many - 1) / many;
+    const int line = (int)get_global_id(0) / pieces, begin = (int)get_global_id(0) % pieces * many;
+    const int sample = line / side, row = line % side;
     if (sample >= PELAGE_BATCH) return;
     global const scalar* picture =
         pictures + PELAGE_COLOURS * (sample * PELAGE_ALL_CELLS + PELAGE_LEVEL_BEGIN(level));
     global scalar* own = seen + PELAGE_DIRECTIONS * (sample * PELAGE_ALL_CELLS + PELAGE_LEVEL_BEGIN(level));
     global const scalar* of_level = directions + (set * PELAGE_LEVELS + level) *
                                                      (PELAGE_COLOURS * PELAGE_PATCH * PELAGE_PATCH * PELAGE_DIRECTIONS);
-    for (int column = 0; column < side; column += 4) pelage_look(picture, of_level, side, row, column, own);
+    for (int column = begin; column < min(begin + many, side); column += 4)
+        pelage_look(picture, of_level, side, row, column, own);
 }
 
 // A work-item's numbers: those of one direction, level and sample. `n` counts these.
@@ -173,42 +175,53 @@ kernel void pelage_learn_excess(global const scalar* restrict states, global sca
     excess[n] = pelage_folded_parts(parts, PELAGE_PARTS);
 }
 
-// A work-item takes a sample: its loss, and the rotation of the target that is nearest. shares: of each level, and of the
-// excess.
+// From a sample to one rotation of the target. shares: of each level, and of the excess.
+static inline scalar pelage_far(global const scalar* apart, global const scalar* shares, int sample, int rotation) {
+    scalar value = 0;
+    for (int n = 0; n < PELAGE_LEVELS * PELAGE_DIRECTIONS; ++n) {
+        const int place = sample * (PELAGE_LEVELS * PELAGE_DIRECTIONS) + n;
+        value = fma(shares[n / PELAGE_DIRECTIONS], apart[place * PELAGE_ROTATIONS + rotation], value);
+    }
+    return value;
+}
+
+static inline scalar pelage_over_all(global const scalar* excess, int sample) {
+    scalar over = 0;
+    for (int run = 0; run < PELAGE_RUNS; ++run) over = over + excess[sample * PELAGE_RUNS + run];
+    return over;
+}
+
+// A work-item takes a sample: its loss, and the rotation of the target that is nearest.
 kernel void pelage_learn_nearest(global const scalar* restrict apart, global const scalar* restrict excess,
                                  global const scalar* restrict shares, global scalar* restrict losses,
                                  global int* restrict nearest) {
     const int sample = (int)get_global_id(0);
     if (sample >= PELAGE_BATCH) return;
-    scalar best = 0;
+    scalar best = pelage_far(apart, shares, sample, 0);
     int found = 0;
-    for (int rotation = 0; rotation < PELAGE_ROTATIONS; ++rotation) {
-        scalar value = 0;
-        for (int n = 0; n < PELAGE_LEVELS * PELAGE_DIRECTIONS; ++n) {
-            const int place = sample * (PELAGE_LEVELS * PELAGE_DIRECTIONS) + n;
-            value = fma(shares[n / PELAGE_DIRECTIONS], apart[place * PELAGE_ROTATIONS + rotation], value);
-        }
-        if (rotation == 0 || value < best) {
+    for (int rotation = 1; rotation < PELAGE_ROTATIONS; ++rotation) {
+        const scalar value = pelage_far(apart, shares, sample, rotation);
+        if (value < best) {
             best = value;
             found = rotation;
         }
     }
-    scalar over = 0;
-    for (int run = 0; run < PELAGE_RUNS; ++run) over = over + excess[sample * PELAGE_RUNS + run];
-    losses[sample] = fma(shares[PELAGE_LEVELS], over, best);
+    losses[sample] = fma(shares[PELAGE_LEVELS], pelage_over_all(excess, sample), best);
     nearest[sample] = found;
 }
 
-// Slopes along what is seen, with all directions of a pixel side by side: [sample][level][pixel][direction].
+// Slopes along what is seen, with all directions of a pixel side by side: [sample][level][pixel][direction]. A work-item
+// takes `many` ranks of a list, where it goes on so far; lists come in `pieces` of these.
 kernel void pelage_learn_along(global const scalar* restrict sorted, global const int* restrict order,
                                global const scalar* restrict ranked, const int set, global const int* restrict nearest,
-                               global const scalar* restrict factors, global scalar* restrict along) {
-    const int n = (int)get_global_id(0);
+                               global const scalar* restrict factors, global scalar* restrict along, const int many,
+                               const int pieces) {
+    const int n = (int)get_global_id(0) / pieces, first = (int)get_global_id(0) % pieces * many;
     if (n >= PELAGE_BATCH * PELAGE_LEVELS * PELAGE_DIRECTIONS) return;
     const int sample = n / (PELAGE_LEVELS * PELAGE_DIRECTIONS), level = pelage_level_of(n), begin = pelage_begin_of(n);
     global const scalar* target = ranked + pelage_ranked_of(n, set, nearest[sample]);
     global scalar* own = along + PELAGE_DIRECTIONS * (sample * PELAGE_ALL_CELLS + PELAGE_LEVEL_BEGIN(level));
-    for (int rank = 0; rank < PELAGE_LEVEL_CELLS(level); ++rank)
+    for (int rank = first; rank < min(first + many, PELAGE_LEVEL_CELLS(level)); ++rank)
         own[order[begin + rank] * PELAGE_DIRECTIONS + n % PELAGE_DIRECTIONS] =
             factors[level] * (sorted[begin + rank] - target[rank]);
 }
@@ -241,16 +254,17 @@ PELAGE_LEARN void pelage_slope_at(global const scalar* restrict along, global co
         slopes[(colour * side + row) * side + column] = pelage_folded_parts(sums[colour], PELAGE_VIEWS);
 }
 
-// A work-item takes a row. slopes stand as pictures do.
+// A work-item takes `many` pixels of a row, where it goes on so far. slopes stand as pictures do.
 kernel void pelage_learn_slopes(global const scalar* restrict along, global const scalar* restrict directions,
-                                const int set, global scalar* restrict slopes, const int level) {
-    const int side = PELAGE_LEVEL_SIDE(level);
-    const int sample = (int)get_global_id(0) / side, row = (int)get_global_id(0) % side;
+                                const int set, global scalar* restrict slopes, const int level, const int many) {
+    const int side = PELAGE_LEVEL_SIDE(level), pieces = (side + many - 1) / many;
+    const int line = (int)get_global_id(0) / pieces, left = (int)get_global_id(0) % pieces * many;
+    const int sample = line / side, row = line % side;
     if (sample >= PELAGE_BATCH) return;
     const int begin = sample * PELAGE_ALL_CELLS + PELAGE_LEVEL_BEGIN(level);
     global const scalar* of_level = directions + (set * PELAGE_LEVELS + level) *
                                                      (PELAGE_COLOURS * PELAGE_PATCH * PELAGE_PATCH * PELAGE_DIRECTIONS);
-    for (int column = 0; column < side; ++column)
+    for (int column = left; column < min(left + many, side); ++column)
         pelage_slope_at(along + PELAGE_DIRECTIONS * begin, of_level, side, row, column, slopes + PELAGE_COLOURS * begin);
 }
 

@@ -10,6 +10,13 @@ static inline scalar pelage_folded(scalar* lanes, const int count) {
     return lanes[0];
 }
 
+// All of them, which a group of work-items has left there.
+static inline scalar pelage_folded_shared(local const scalar* shared) {
+    scalar lanes[PELAGE_LANES];
+    for (int lane = 0; lane < PELAGE_LANES; ++lane) lanes[lane] = shared[lane];
+    return pelage_folded(lanes, PELAGE_LANES);
+}
+
 // The same of vectors.
 static inline scalar pelage_folded_parts(const real* parts, const int count) {
     scalar lanes[2 * PELAGE_LANES];

@@ -33,18 +33,19 @@ static inline real pelage_over(real number, real divisor) {
     return found.high + found.low;
 }
 
-// factors[n] brings the n-th of three arrays, which end at ends[n], to length 1; a work-item each.
+// factors[n] brings the n-th of three arrays, which end at ends[n], to length 1; a group of PELAGE_LANES each.
 kernel void pelage_learn_lengths(global const scalar* restrict slopes, const int4 ends, const scalar smallest_square,
                                  const scalar smallest_divisor, global scalar* restrict factors) {
-    const int n = (int)get_global_id(0);
-    if (n >= 3) return;
+    local scalar lanes[PELAGE_LANES];
+    const int n = (int)get_group_id(0), lane = (int)get_local_id(0);
     const int begin = n == 0 ? 0 : n == 1 ? ends.s0 : ends.s1;
     const int end = n == 0 ? ends.s0 : n == 1 ? ends.s1 : ends.s2;
-    scalar lanes[PELAGE_LANES];
-    for (int lane = 0; lane < PELAGE_LANES; ++lane) lanes[lane] = 0;
-    for (int at = begin; at < end; ++at)
-        lanes[(at - begin) % PELAGE_LANES] = fma(slopes[at], slopes[at], lanes[(at - begin) % PELAGE_LANES]);
-    const scalar length = pelage_length_root(pelage_folded(lanes, PELAGE_LANES), smallest_square);
+    scalar sum = 0;
+    for (int at = begin + lane; at < end; at += PELAGE_LANES) sum = fma(slopes[at], slopes[at], sum);
+    lanes[lane] = sum;
+    barrier(CLK_LOCAL_MEM_FENCE);
+    if (lane != 0) return;
+    const scalar length = pelage_length_root(pelage_folded_shared(lanes), smallest_square);
     factors[n] = pelage_over(R(1), length + smallest_divisor);
 }
 

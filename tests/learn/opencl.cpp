@@ -7,6 +7,7 @@
 
 #include <cmath>
 #include <cstring>
+#include <tuple>
 
 using namespace pelage;
 
@@ -56,14 +57,17 @@ double far(const std::vector<float>& found, const std::vector<double>& expected)
 
 }  // namespace
 
-TEST_CASE("a step of learning has the reference's bits, whatever the width and however states are kept") {
+TEST_CASE(
+    "a step of learning has the reference's bits, whatever the width, however many share the work and states are "
+    "kept") {
     LearningTask task = test::small_task(2, 3);
     const LearningOrder order{7, 3, 1e-3, 4};
     const auto expected = outcome(*reference_learner<float>(task), task.shape, order);
     REQUIRE(std::isfinite(expected.loss.total));
     REQUIRE_FALSE(same_bits(expected.learned.weights, test::small_weights<float>(task.shape).weights));
     OpenclOptions options;
-    options.width = GENERATE(std::size_t{0}, std::size_t{1});
+    std::tie(options.width, options.work_group) =
+        GENERATE(table<std::size_t, std::size_t>({{0, 0}, {1, 0}, {1, 48}}));
     task.memory = options.width == 1 ? 0 : std::size_t{1} << 30;
     check_equal(outcome(*opencl_learner(task, options), task.shape, order), expected);
 }

@@ -27,7 +27,10 @@ enum Place : std::size_t {
     bounds_place
 };
 
-std::size_t rules_place(const Experiment& experiment) { return bounds_place + 2 * experiment.chemicals.size(); }
+std::size_t rules_place(const Experiment& experiment) {
+    const std::size_t end = bounds_place + 2 * experiment.chemicals.size();
+    return (end + number_alignment - 1) / number_alignment * number_alignment;
+}
 
 // Puts together the texts that fill the kernel.
 class StepEmitter {
@@ -242,6 +245,7 @@ std::vector<KernelNumber> cells_parameters(const Experiment& experiment, const P
     values[division_limit_place] =
         static_cast<std::uint32_t>(std::min<std::size_t>(experiment.division_limit, largest_cell_count));
     for (const Bounds& bounds : phase.bounds) values.insert(values.end(), {bounds.floor, bounds.limit});
+    values.resize(rules_place(experiment));
     const std::vector<KernelNumber> of_rules = rule_parameters(experiment, precision);
     values.insert(values.end(), of_rules.begin(), of_rules.end());
     return values;

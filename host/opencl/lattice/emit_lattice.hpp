@@ -13,11 +13,11 @@
 namespace pelage {
 
 // Numbers that the step reads from its buffer of parameters: dt, the time at which the phase begins and its first
-// iteration, then for each chemical these four, then those of rules.
+// iteration, from place 4 on for each chemical these four, then those of rules.
 inline constexpr std::size_t time_start_place = 1, time_begin_place = 2;
 enum class LatticeParameter { floor, limit, rate, share };  // share: rate * dt / divisor of the stencil
 inline std::size_t parameter_place(std::size_t chemical, LatticeParameter what) {
-    return 3 + 4 * chemical + static_cast<std::size_t>(what);
+    return 4 + 4 * chemical + static_cast<std::size_t>(what);
 }
 
 // Places of the chemicals with rates of their own among the planes of rates, in order of chemical.

@@ -1,4 +1,4 @@
-// Iterations of the system that learns, and the way back through them (kernels/learn/iteration.cl).
+// Iterations of the system that learns, and the way back through them (kernels/learn/iteration.cl, reverse_lanes.cl).
 #pragma once
 
 #include "core/learning.hpp"
@@ -18,11 +18,15 @@ public:
     const cl::Buffer& sums() const { return sums_; }  // [sample][run][weight][lane]
 
 private:
+    void reverse_lanes(const cl::Buffer& weights, const cl::Buffer& state, const cl::Buffer& after,
+                       const cl::Buffer& before);
+
     const Session& session_;
     LearningShape shape_;
     std::size_t width_;
-    cl::Kernel iterate_, reverse_;
-    cl::Buffer scratch_, sums_;
+    bool shared_;
+    cl::Kernel iterate_, reverse_, add_;  // the last one where work is shared
+    cl::Buffer scratch_, slopes_, sums_;  // the second one, too
 };
 
 }  // namespace pelage

@@ -4,7 +4,9 @@
 #include "opencl/device/launch.hpp"
 #include "opencl/learn/settings.hpp"
 
+#include <algorithm>
 #include <cstdint>
+#include <string>
 #include <vector>
 
 namespace pelage {
@@ -35,6 +37,7 @@ std::vector<float> factors_of(const LearningShape& shape) {
 LearningJudge::LearningJudge(const Session& session, const LearningTask& task)
     : session_(session),
       shape_(task.shape),
+      shared_(shared_learning(session)),
       lists_(task.shape.batch * pyramid_levels * patch_directions),
       push_(task.overflow / static_cast<double>(task.shape.cells()) / static_cast<double>(task.shape.batch)),
       directions_(filled_buffer(session, task.directions, "directions of patches")),
@@ -50,50 +53,70 @@ LearningJudge::LearningJudge(const Session& session, const LearningTask& task)
     excess_numbers_ = float_buffer(session, shape_.batch * cell_runs, "excesses");
     losses_ = float_buffer(session, shape_.batch, "losses");
     rotations_ = session.buffer(shape_.batch * sizeof(cl_int), "rotations");
-    const cl::Program program = session.build(learning_source(session, shape_, learning_width(session))
-                                                  .file("learn/iteration.cl")
-                                                  .file("learn/loss.cl")
-                                                  .str());
+    Source source =
+        learning_source(session, shape_, learning_width(session)).file("learn/iteration.cl").file("learn/loss.cl");
+    if (shared_) source.file("learn/loss_lanes.cl");
+    const cl::Program program = session.build(source.str());
+    const auto kernel = [&](std::string name) {
+        return cl::Kernel(program, (name + (shared_ ? "_together" : "")).c_str());
+    };
     shrink_ = cl::Kernel(program, "pelage_learn_shrink");
     look_ = cl::Kernel(program, "pelage_learn_look");
-    rank_ = cl::Kernel(program, "pelage_learn_rank");
-    apart_ = cl::Kernel(program, "pelage_learn_apart");
-    excess_ = cl::Kernel(program, "pelage_learn_excess");
-    nearest_ = cl::Kernel(program, "pelage_learn_nearest");
+    rank_ = kernel("pelage_learn_rank");
+    apart_ = kernel("pelage_learn_apart");
+    excess_ = kernel("pelage_learn_excess");
+    nearest_ = kernel("pelage_learn_nearest");
     along_ = cl::Kernel(program, "pelage_learn_along");
     slopes_ = cl::Kernel(program, "pelage_learn_slopes");
     begin_ = cl::Kernel(program, "pelage_learn_begin");
 }
 
+void LearningJudge::launch_rows(cl::Kernel& kernel, std::size_t level, std::size_t many) {
+    const std::size_t side = shape_.level_side(level);
+    const std::size_t pieces = shared_ ? (side + many - 1) / many : 1;
+    launch(session_, kernel, shape_.batch * side * pieces, learning_group(session_));
+}
+
 void LearningJudge::look(const cl::Buffer& states, std::size_t set) {
-    const std::size_t group = learning_group(session_);
+    constexpr std::size_t beside = 4;  // pixels that a work-item takes at once
     for (std::size_t level = 0; level < pyramid_levels; ++level) {
+        const std::size_t many = shared_ ? beside : shape_.level_side(level);
         Arguments(session_, shrink_).add(states, pictures_, level);
         launch(session_, shrink_, shape_.batch * picture_colours * shape_.level_cells(level), 64);
-        Arguments(session_, look_).add(pictures_, directions_, set, seen_, level);
-        launch(session_, look_, shape_.batch * shape_.level_side(level), group);
+        Arguments(session_, look_).add(pictures_, directions_, set, seen_, level, many);
+        launch_rows(look_, level, many);
     }
-    Arguments(session_, rank_).add(seen_, order_, aside_, sorted_);
-    launch(session_, rank_, lists_, group);
+}
+
+void LearningJudge::rank() {
+    if (shared_) {
+        Arguments(session_, rank_).add(seen_, order_, sorted_);
+        const std::size_t group = std::min<std::size_t>(4 * learning_group(session_), session_.info().max_work_group);
+        launch(session_, rank_, lists_ * group, group);
+    } else {
+        Arguments(session_, rank_).add(seen_, order_, aside_, sorted_);
+        launch(session_, rank_, lists_);
+    }
 }
 
 void LearningJudge::compare(const cl::Buffer& states, std::size_t set) {
-    const std::size_t group = learning_group(session_);
     Arguments(session_, apart_).add(sorted_, ranked_, set, apart_numbers_);
-    launch(session_, apart_, lists_, group);
+    launch(session_, apart_, shared_ ? lists_ * shape_.rotations * sum_lanes : lists_, shared_ ? sum_lanes : 1);
     Arguments(session_, excess_).add(states, excess_numbers_);
-    launch(session_, excess_, shape_.batch * cell_runs, group);
+    launch(session_, excess_, shape_.batch * cell_runs * (shared_ ? sum_lanes : 1), shared_ ? sum_lanes : 1);
     Arguments(session_, nearest_).add(apart_numbers_, excess_numbers_, shares_, losses_, rotations_);
-    launch(session_, nearest_, shape_.batch, group);
+    const std::size_t group = learning_group(session_);
+    launch(session_, nearest_, shape_.batch * group, group);
 }
 
 void LearningJudge::go_back(const cl::Buffer& states, std::size_t set, const cl::Buffer& after) {
-    const std::size_t group = learning_group(session_);
-    Arguments(session_, along_).add(sorted_, order_, ranked_, set, rotations_, factors_, along_numbers_);
-    launch(session_, along_, lists_, group);
+    const std::size_t ranks = shape_.level_cells(0), many = shared_ ? 16 : ranks, pieces = (ranks + many - 1) / many;
+    Arguments(session_, along_).add(sorted_, order_, ranked_, set, rotations_, factors_, along_numbers_, many, pieces);
+    launch(session_, along_, lists_ * pieces, learning_group(session_));
     for (std::size_t level = 0; level < pyramid_levels; ++level) {
-        Arguments(session_, slopes_).add(along_numbers_, directions_, set, picture_slopes_, level);
-        launch(session_, slopes_, shape_.batch * shape_.level_side(level), group);
+        const std::size_t stretch = shared_ ? 1 : shape_.level_side(level);
+        Arguments(session_, slopes_).add(along_numbers_, directions_, set, picture_slopes_, level, stretch);
+        launch_rows(slopes_, level, stretch);
     }
     Arguments(session_, begin_).add(states, picture_slopes_, Scalar{push_}, after);
     launch(session_, begin_, shape_.states(), 64);
@@ -113,6 +136,7 @@ LearningLoss<float> LearningJudge::losses() const {
 
 LearningLoss<float> LearningJudge::judge(const cl::Buffer& states, std::size_t set, const cl::Buffer& after) {
     look(states, set);
+    rank();
     compare(states, set);
     go_back(states, set, after);
     return losses();

@@ -9,11 +9,14 @@
 
 namespace pelage {
 
-std::size_t learning_group(const Session& session) { return session.info().processor() ? 1 : 64; }
+std::size_t learning_group(const Session& session) {
+    if (session.options().work_group != 0) return session.options().work_group;
+    return session.info().processor() ? 1 : 64;
+}
 
 std::size_t learning_width(const Session& session) {
     if (session.options().width != 0) return session.options().width;
-    if (!session.info().processor()) return 1;
+    if (shared_learning(session)) return 1;
     std::size_t width = 1;
     while (width < sum_lanes && 2 * width <= session.info().vector_width_float) width *= 2;
     return width;
@@ -26,12 +29,11 @@ Source learning_source(const Session& session, const LearningShape& shape, std::
     source.text(fmt::format(
         "#define PELAGE_WIDTH {}\n#define PELAGE_SIDE {}\n#define PELAGE_BATCH {}\n#define PELAGE_CHEMICALS {}\n"
         "#define PELAGE_HIDDEN {}\n#define PELAGE_RUN_CELLS {}\n#define PELAGE_RUNS {}\n#define PELAGE_TILE {}\n"
-        "#define PELAGE_BLOCK {}\n#define PELAGE_ROTATIONS {}\n#define PELAGE_SET_NUMBERS {}L\n#define PELAGE_MEET "
-        "{}\n",
-        width, shape.side, shape.batch, shape.chemicals, shape.hidden, shape.run_cells(), cell_runs, learning_tile,
-        block, shape.rotations, shape.rotations * shape.level_begin(pyramid_levels) * patch_directions,
-        learning_group(session) == 1 ? "" : "barrier(CLK_GLOBAL_MEM_FENCE)"));
-    source.file("common/prelude.cl");
+        "#define PELAGE_BLOCK {}\n#define PELAGE_ROTATIONS {}\n#define PELAGE_SET_NUMBERS {}L\n",
+        width, shape.side, shape.batch, shape.chemicals, shape.hidden, shape.run_cells(), cell_runs,
+        shared_learning(session) ? shape.cells() : learning_tile, block, shape.rotations,
+        shape.rotations * shape.level_begin(pyramid_levels) * patch_directions));
+    source.file("common/prelude.cl").file("common/four.cl");
     for (const std::string& file : function_files({}, {"quick_sigmoid"})) source.file(file);
     return source.file("learn/sums.cl");
 }

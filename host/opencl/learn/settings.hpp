@@ -12,8 +12,9 @@ namespace pelage {
 
 inline constexpr std::size_t learning_tile = 256;  // cells of a run that are on their way at a time
 
-// Work-items of a group where work-items share work; 1 on processors.
+// Work-items of a group where many share what one does on processors; 1 there, unless the options ask for more.
 std::size_t learning_group(const Session&);
+inline bool shared_learning(const Session& session) { return learning_group(session) > 1; }
 // Lanes of a work-item's numbers.
 std::size_t learning_width(const Session&);
 

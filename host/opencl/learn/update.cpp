@@ -81,7 +81,7 @@ void WeightUpdate::adam(double rate, std::uint64_t count) {
     session_.queue().enqueueWriteBuffer(numbers_, CL_TRUE, 0, sizeof singles, singles.data());
     Arguments(session_, lengths_).add(slopes_);
     Arguments(session_, lengths_, 2).add(Scalar{smallest_square}, Scalar{smallest_divisor}, factors_);
-    launch(session_, lengths_, 3);
+    launch(session_, lengths_, 3 * sum_lanes, sum_lanes);
     Arguments(session_, adam_).add(slopes_, factors_);
     Arguments(session_, adam_, 3).add(numbers_, weights_, means_, squares_);
     launch(session_, adam_, shape_.weights(), 64);

@@ -334,7 +334,7 @@ std::vector<std::string> rule_files(const RuleUse& use) {
     std::vector<std::string> files = function_files(
         use.functions, use.neural ? std::vector<std::string>{"quick_sigmoid"} : std::vector<std::string>{});
     files.emplace_back("rules/reaction.cl");
-    if (use.neural) files.emplace_back("rules/neural.cl");
+    if (use.neural) files.insert(files.end(), {"common/four.cl", "rules/neural.cl"});
     for (const std::size_t model : use.reacts) files.push_back("models/" + kernel_name(Model{model}) + ".cl");
     return files;
 }

@@ -13,6 +13,7 @@ std::string Numbers::real(double value) { return named('k', value); }
 std::string Numbers::word(std::uint32_t value) { return named('u', value); }
 
 std::string Numbers::table(const std::vector<double>& values) {
+    while (values_.size() % number_alignment != 0) values_.emplace_back(0.0);
     const std::size_t place = values_.size();
     values_.insert(values_.end(), values.begin(), values.end());
     if (declare_) names_.push_back({'w', place});

@@ -12,6 +12,9 @@
 
 namespace pelage {
 
+// The first of the numbers of rules has a place in the buffer that is a multiple of this.
+inline constexpr std::size_t number_alignment = 4;
+
 using KernelNumber = std::variant<double, std::uint32_t>;  // a real number, or a whole one of 32 bits
 
 // The numbers of rules, in the order in which they are asked for: it must not depend on which rules act.
@@ -20,7 +23,7 @@ public:
     // Names for the program's text, declared by declarations() unless `declare` is false when they are asked for.
     std::string real(double);         // of type real: "k3"
     std::string word(std::uint32_t);  // of type uint: "u4"
-    // Of type `global const scalar*`: "w5", the first of these.
+    // Of type `global const scalar*`: "w8", the first of these. Its place is a multiple of number_alignment.
     std::string table(const std::vector<double>&);
     void declare(bool wanted) { declare_ = wanted; }
 
