@@ -15,6 +15,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <chrono>
 #include <cstdio>
 #include <utility>
@@ -89,7 +90,7 @@ private:
         sample_search(static_cast<double>(tissue_.cells()) > cells_before);
         const double waited = film_ ? film_->waited() - filmed : 0;
         const double seconds = std::chrono::duration<double>(Clock::now() - start).count() - waited;
-        size_.took(count, seconds);
+        size_.took(count, seconds, static_cast<double>(tissue_.cells()) / std::max(1.0, cells_before));
         tally_.seconds += seconds;
         tally_.notes = tissue_.report();
         tally_.programs = tissue_.programs();

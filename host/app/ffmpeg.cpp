@@ -202,6 +202,7 @@ void Ffmpeg::finish() {
     listen();
     if (WIFSIGNALED(*status_)) complain(fmt::format("was ended by signal {}", WTERMSIG(*status_)));
     if (WEXITSTATUS(*status_) != 0) complain(fmt::format("failed with exit code {}", WEXITSTATUS(*status_)));
+    if (!words_.empty()) complain("came to its end, but not without errors");
 }
 
 void Ffmpeg::complain(const std::string& what) {

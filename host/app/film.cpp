@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <chrono>
 #include <exception>
+#include <filesystem>
 #include <new>
 #include <system_error>
 #include <utility>
@@ -128,6 +129,9 @@ void Film::end() {
     close();
     const std::string reason = failure();
     if (!reason.empty()) throw Error(reason);
+    std::error_code ignored;
+    if (std::filesystem::file_size(file_.aside(), ignored) == 0)
+        throw Error(fmt::format("the film '{}' could not be made: ffmpeg wrote nothing", plan_.file.string()));
     file_.commit();
 }
 

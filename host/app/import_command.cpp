@@ -41,7 +41,12 @@ std::string bytes_to_import(const std::string& file) {
 
 // Beside the file, under its name; never over a file that is there.
 fs::path place_of_result(const ImportOptions& options) {
-    if (!options.out.empty()) return options.out;
+    std::error_code none_there;
+    if (!options.out.empty()) {
+        if (fs::equivalent(options.file, options.out, none_there))
+            throw Error(fmt::format("-o '{}' is the file that is imported; name another one", options.out));
+        return options.out;
+    }
     const fs::path place =
         is_address(options.file) ? fs::path("visualpde.pex") : fs::path(options.file).replace_extension(".pex");
     std::error_code ignored;

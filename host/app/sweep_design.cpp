@@ -1,6 +1,7 @@
 // See sweep_design.hpp.
 #include "app/sweep_design.hpp"
 
+#include "app/settings.hpp"
 #include "core/error.hpp"
 
 #include <fmt/format.h>
@@ -48,6 +49,8 @@ SweepDesign sweep_design(const SweepOptions& options, const Experiment& plain) {
     SweepDesign design;
     if (!options.points.empty()) {
         if (!options.vary.empty()) throw Error("--points gives all values; leave --vary out, or --points");
+        if (options.samples > 0 || options.latin)
+            throw Error("--points gives all values, and none is drawn; leave --samples and --latin out, or --points");
         design.points = sweep::read_points(options.points);
     } else if (options.samples > 0) {
         design.points = sampled(options);
@@ -57,6 +60,11 @@ SweepDesign sweep_design(const SweepOptions& options, const Experiment& plain) {
         design.points = sweep::grid(design.axes, options.replicates);
     }
     for (const Setting& one : design.points.front().settings) design.names.push_back(one.name);
+    for (const Setting& one : settings_of(options.run.settings)) {
+        if (std::ranges::find(design.names, one.name) != design.names.end())
+            throw Error(fmt::format("--set {}={}: {} gives '{}' its values; leave one of the two out", one.name,
+                                    one.value, options.points.empty() ? "--vary" : "--points", one.name));
+    }
     return design;
 }
 
@@ -65,14 +73,18 @@ std::string blamed(const SweepOptions& options, const std::string& name) {
 }
 
 void check_ranges(const SweepOptions& options, const SweepDesign& design, const Experiment& experiment) {
-    for (const sweep::Point& point : design.points) {
-        for (const Setting& one : point.settings) {
+    for (std::size_t n = 0; n < design.points.size(); ++n) {
+        for (const Setting& one : design.points[n].settings) {
             const auto parameter = std::ranges::find(experiment.parameters, one.name, &Parameter::name);
+            if (parameter == experiment.parameters.end()) continue;
             const double value = std::stod(one.value);
-            if (parameter == experiment.parameters.end() || (value >= parameter->low && value <= parameter->high))
-                continue;
-            throw Error(fmt::format("{}: {} is out of range; parameter '{}' must be a number from {:g} to {:g}",
-                                    blamed(options, one.name), one.value, one.name, parameter->low, parameter->high));
+            const bool within = value >= parameter->low && value <= parameter->high;
+            if (within && (!parameter->whole || value == std::floor(value))) continue;
+            const std::string row = options.points.empty() ? "" : fmt::format(" (point {})", n + 1);
+            throw Error(fmt::format("{}{}: {} is {}; parameter '{}' must be a {} from {:g} to {:g}",
+                                    blamed(options, one.name), row, one.value,
+                                    within ? "not a whole number" : "out of range", one.name,
+                                    parameter->whole ? "whole number" : "number", parameter->low, parameter->high));
         }
     }
 }

@@ -81,10 +81,11 @@ Crew crew(Machine& machine, const SweepOptions& options, double cells, std::size
     constexpr double small = 1 << 17;
     const bool processor = !machine.opencl || machine.info.processor();
     const std::size_t here = ranks == nullptr ? 1 : static_cast<std::size_t>(ranks->count_here());
-    const bool alone = here == 1 && (!processor || cells > small);
-    std::size_t jobs = options.jobs;
-    if (jobs == 0) jobs = !processor || alone ? 1 : std::thread::hardware_concurrency() / here;
-    jobs = std::clamp<std::size_t>(jobs, 1, tiles);
+    // Several small lattices share a card: one alone leaves most of it idle.
+    const std::size_t of_small = processor ? std::thread::hardware_concurrency() / here : 8;
+    const bool alone = cells > small && (here == 1 || !processor);
+    const std::size_t wanted = options.jobs != 0 ? options.jobs : alone ? 1 : of_small;
+    const std::size_t jobs = std::clamp<std::size_t>(wanted, 1, tiles);
     return {machine, options.run.precision, jobs, jobs == 1 && (here == 1 || !processor)};
 }
 

@@ -139,6 +139,7 @@ private:
         std::string text = first_.text + fmt::format("\n{} {} {}\n", last_, options_.run.seed.value_or(0),
                                                      options_.run.precision == Precision::double_ ? "double" : "float");
         text += fmt::format("{} {}\n", fmt::join(options_.until, " "), fmt::join(options_.run.settings, " "));
+        for (const InputFile& input : first_.inputs) text += fmt::format("{} {}\n", input.name, input.sha256);
         for (const sweep::Point& point : design_.points) {
             for (const Setting& one : point.settings) text += fmt::format("{}={} ", one.name, one.value);
             text += fmt::format("{}\n", point.replicate);
@@ -157,8 +158,8 @@ private:
         }
         if (read_file(named) == identity() + "\n") return;
         throw Error(
-            fmt::format("{} holds another sweep, or this one before its experiment or options changed; choose "
-                        "another --out, or remove it",
+            fmt::format("{} holds another sweep, or this one before its experiment, options or input files changed; "
+                        "choose another --out, or remove it",
                         folder_.string()));
     }
 
@@ -169,7 +170,10 @@ private:
         for (const Machine& machine : machines)
             say(stderr, "backend: {} ({}), {}\n", machine.kind, machine.device,
                 options_.run.precision == Precision::double_ ? "double" : "float");
-        if (table_.size() > 0) say(stderr, "{} are there already\n", counted(table_.size(), "tile"));
+        std::size_t there = 0;
+        for (std::size_t tile = 0; tile < design_.points.size(); ++tile) there += taken_up(tile) ? 1 : 0;
+        if (there > 0)
+            say(stderr, "{} of {} are there already\n", grouped(there), counted(design_.points.size(), "tile"));
     }
 
     int stopped() const {
@@ -183,10 +187,8 @@ private:
         std::vector<sweep::TilePicture> tiles;
         for (std::size_t tile = 0; tile < design_.points.size(); ++tile) {
             sweep::TilePicture picture;
-            if (fs::exists(runner_.values_of(tile))) {
-                const NpyArray array = read_npy(runner_.values_of(tile));
-                picture = {array.shape.at(1), array.shape.at(0), array.values};
-            }
+            if (auto values = runner_.values_there(tile))
+                picture = {values->shape.at(1), values->shape.at(0), std::move(values->values)};
             tiles.push_back(std::move(picture));
         }
         const std::string note = draw_sheet(folder_, first_, design_.axes, options_.replicates, tiles, options_.across,

@@ -66,6 +66,17 @@ std::uint64_t TileRunner::last_iteration(const Experiment& experiment) const {
 }
 
 std::optional<std::string> TileRunner::run(Backend& backend, std::size_t tile) const {
+    try {
+        return carry_out(backend, tile);
+    } catch (const Error& error) {
+        std::string where;
+        for (const Setting& one : design_.points[tile].settings) where += fmt::format(" {}={}", one.name, one.value);
+        if (!where.empty()) where = fmt::format(" ({})", where.substr(1));
+        throw Error(fmt::format("tile {}{}: {}", tile, where, error.what()));
+    }
+}
+
+std::optional<std::string> TileRunner::carry_out(Backend& backend, std::size_t tile) const {
     const auto start = std::chrono::steady_clock::now();
     const Experiment experiment = this->experiment(tile);
     const Snapshot initial = initial_state(experiment, options_.run.precision);
@@ -84,13 +95,24 @@ std::optional<std::string> TileRunner::run(Backend& backend, std::size_t tile) c
 }
 
 bool TileRunner::has_files(std::size_t tile) const {
-    if (!std::filesystem::exists(values_of(tile))) return false;
+    if (!values_there(tile)) return false;
     if (options_.run.formats.empty()) return true;
     const std::vector<Format> wanted = options_.run.format_list();
     return std::ranges::all_of(format_table(), [&](const FormatRow& row) {
         return row.format == Format::npy || std::ranges::find(wanted, row.format) == wanted.end() ||
                std::filesystem::exists(folder_ / (std::to_string(tile) + row.lattice.ending));
     });
+}
+
+std::optional<NpyArray> TileRunner::values_there(std::size_t tile) const {
+    if (!std::filesystem::exists(values_of(tile))) return std::nullopt;
+    try {
+        NpyArray array = read_npy(values_of(tile));
+        if (array.shape.size() == 2) return array;
+    } catch (const Error&) {
+        return std::nullopt;  // damaged: as if it were not there
+    }
+    return std::nullopt;
 }
 
 std::filesystem::path TileRunner::values_of(std::size_t tile) const { return folder_ / fmt::format(".{}.npy", tile); }

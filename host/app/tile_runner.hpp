@@ -5,6 +5,7 @@
 #include "app/sweeper.hpp"
 #include "core/experiment.hpp"
 #include "core/tissue.hpp"
+#include "io/npy.hpp"
 #include "sweep/table.hpp"
 
 #include <cstddef>
@@ -29,9 +30,12 @@ public:
 
     // Whether the files that the sheet and --format want are there; of arrays nothing is known here.
     bool has_files(std::size_t tile) const;
-    std::filesystem::path values_of(std::size_t tile) const;  // what the sheet shows of it
+    // What the sheet shows of it; empty where it is not there, or damaged.
+    std::optional<NpyArray> values_there(std::size_t tile) const;
 
 private:
+    std::filesystem::path values_of(std::size_t tile) const;
+    std::optional<std::string> carry_out(Backend&, std::size_t tile) const;
     Experiment read(const std::vector<Setting>&, const sweep::Point&) const;
     void keep(const Experiment&, std::size_t tile, const Snapshot&) const;
 

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <algorithm>
+#include <cmath>
 #include <cstdint>
 #include <vector>
 
@@ -27,8 +28,11 @@ public:
     std::uint64_t iterations() const { return size_; }
 
     // The last batch had `count` iterations. The first ones compile kernels: the size grows quickly, fourfold at most.
-    void took(std::uint64_t count, double seconds) {
-        const double fitting = static_cast<double>(count) * target / std::max(seconds, 1e-9);
+    // `growth`: how many times as many cells there were after it. Where they go on multiplying so, the next one does
+    // not more than double them: what a batch takes can be foretold no further.
+    void took(std::uint64_t count, double seconds, double growth) {
+        double fitting = static_cast<double>(count) * target / std::max(seconds, 1e-9);
+        if (growth > 1.0) fitting = std::min(fitting, static_cast<double>(count) * std::log(2.0) / std::log(growth));
         const auto largest = static_cast<double>(4 * std::max(size_, count));
         size_ = static_cast<std::uint64_t>(std::clamp(fitting, 1.0, std::min(largest, 1e9)));
     }

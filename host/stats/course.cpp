@@ -18,6 +18,8 @@ std::string_view name_of(Verdict verdict) {
             return "oscillating";
         case Verdict::moving:
             return "moving";
+        case Verdict::undecided:
+            return "undecided";
         case Verdict::not_a_number:
             return "NaN";
         case Verdict::unstable:

@@ -9,8 +9,9 @@
 
 namespace pelage::stats {
 
-enum class Verdict { uniform, stationary, oscillating, moving, not_a_number, unstable };
-std::string_view name_of(Verdict);  // the last two are not for Course to find: NaNs, and a time step known not to hold
+enum class Verdict { uniform, stationary, oscillating, moving, undecided, not_a_number, unstable };
+// The last three are not for Course to find: too few states, NaNs, and a time step known not to hold.
+std::string_view name_of(Verdict);
 
 // Is shown the states of the last stretch of a run, all of one size, at equal intervals.
 class Course {

@@ -42,8 +42,9 @@ public:
             tissue_.advance(next() - tissue_.iteration());
             if (tissue_.non_finite()) return broken();
             look();
+            if (strange_) return broken();
         }
-        return finished();
+        return strange_ ? broken() : finished();
     }
 
 private:
@@ -65,6 +66,8 @@ private:
         const std::uint64_t now = tissue_.iteration();
         state_ = tissue_.read();
         std::vector<double> values = shown(experiment_, state_);
+        strange_ = !std::ranges::all_of(values, [](double value) { return std::isfinite(value); });
+        if (strange_) return;
         for (const double value : values) largest_ = std::max(largest_, std::fabs(value));
         if (checks_.contains(now) || now == 0) {
             const double changed = before_.size() == values.size() ? stats::change(grid(before_), grid(values)) : 1.0;
@@ -91,7 +94,9 @@ private:
         if (course_.states() > 1)
             result.verdict = course_.verdict(largest_);
         else
-            result.verdict = flat ? stats::Verdict::uniform : stats::Verdict::stationary;
+            result.verdict = flat      ? stats::Verdict::uniform
+                             : steady_ ? stats::Verdict::stationary
+                                       : stats::Verdict::undecided;
         result.hash = hash_of(state_);
         result.state = std::move(state_);
         return result;
@@ -117,6 +122,7 @@ private:
     stats::Course course_;
     std::size_t followed_ = 0;
     bool steady_ = false;
+    bool strange_ = false;  // what is shown has NaNs or infinities
     double largest_ = 0.0;  // of all values seen
 };
 

@@ -24,7 +24,7 @@ struct TileResult {
     std::uint64_t iterations = 0;
     stats::Verdict verdict = stats::Verdict::uniform;
     std::optional<std::uint64_t> settled;  // from where on each twentieth of the run changes less than a thousandth
-    std::optional<stats::Statistics> statistics;  // none where there are NaNs
+    std::optional<stats::Statistics> statistics;  // none where there are NaNs, in the state or in what is shown
     std::string hash;                             // of all concentrations of the final state: SHA-256, 16 digits
     Snapshot state;                               // the final one
 };

@@ -307,6 +307,10 @@ TEST_CASE("an ffmpeg that fails ends the run with its last words, and leaves nei
                            std::string("failed with exit code 1; its last words were: Unknown encoder 'libx264'")),
                  std::pair(std::string("kill -9 $$\n"), std::string("was ended by signal 9 and said nothing")),
                  std::pair(std::string("exit 0\n"), std::string("ended before the film did and said nothing")),
+                 std::pair(std::string("cat >/dev/null; exit 0\n"), std::string("wrote nothing")),
+                 std::pair(std::string("cat >/dev/null; echo 'Error closing file: No space left' >&2; exit 0\n"),
+                           std::string("came to its end, but not without errors; its last words were: Error closing "
+                                       "file: No space left")),
                  std::pair(std::string("cat >/dev/null; yes no | head -c 200000 >&2; echo disk full >&2; exit 3\n"),
                            std::string("disk full")));
     const Stage stage(script);

@@ -66,9 +66,9 @@ TEST_CASE("a run stops at every snapshot, at every checkpoint and at its end, an
 TEST_CASE("batches find the length that takes their time, from slow and from fast beginnings") {
     const double speed = GENERATE(2.0, 300.0, 1e6);  // iterations a second
     BatchSize size;
-    size.took(1, 3.0);  // the first batch compiles kernels
+    size.took(1, 3.0, 1.0);  // the first batch compiles kernels
 
-    for (int i = 0; i < 20; ++i) size.took(size.iterations(), static_cast<double>(size.iterations()) / speed);
+    for (int i = 0; i < 20; ++i) size.took(size.iterations(), static_cast<double>(size.iterations()) / speed, 1.0);
 
     const double seconds = static_cast<double>(size.iterations()) / speed;
     CHECK((size.iterations() == 1 || seconds > BatchSize::target / 2));

@@ -1,6 +1,7 @@
 // `pelage sweep` as a user meets it.
 #include "core/prepattern.hpp"
 #include "csv.hpp"
+#include "io/npy.hpp"
 #include "language/parse.hpp"
 #include "reference/backend.hpp"
 #include "support/process.hpp"
@@ -107,13 +108,17 @@ TEST_CASE(
     const Outcome again = bench.sweep(words);
     INFO(again.err);
     CHECK(again.exit_code == 0);
-    CHECK_THAT(again.err, Contains("3 tiles are there already"));
+    CHECK_THAT(again.err, Contains("3 of 10 tiles are there already"));
     CHECK_THAT(again.out, Contains("7 tiles in"));
     CHECK(without_times(bench.csv()) == without_times(bench.csv("whole")));
-    CHECK_THAT(bench.sweep(words).err, Contains("10 tiles are there already"));
+    CHECK_THAT(bench.sweep(words).err, Contains("10 of 10 tiles are there already"));
 
     std::filesystem::remove(bench.folder / "out/tiles/.4.npy");
     CHECK_THAT(bench.sweep(words).out, Contains("1 tile in"));
+    std::ofstream(bench.folder / "out/tiles/.5.npy", std::ios::binary) << "damaged";
+    const Outcome mended = bench.sweep(words);
+    CHECK_THAT(mended.err, Contains("9 of 10 tiles are there already"));
+    CHECK_THAT(mended.out, Contains("1 tile in"));
     CHECK(without_times(bench.csv()) == without_times(bench.csv("whole")));
 
     const Outcome other = bench.sweep({"--vary", "K=0.05:0.07:6", "--vary", "F=0.02,0.04"});
@@ -122,6 +127,46 @@ TEST_CASE(
     std::ofstream(bench.file, std::ios::app) << "output U\n";
     CHECK(bench.sweep(words).exit_code == 2);
     CHECK(without_times(bench.csv()) == without_times(bench.csv("whole")));
+}
+
+TEST_CASE("a sweep whose start state changed since is another sweep") {
+    const Folder folder;
+    const std::string file = folder.write(
+        "start.pex",
+        "define parameter d 0.1\ndefine chemical U conc \"start.npy\"\nuse chemical U diff d\ncreate matrix 4 4\nstop "
+        "at 90\noutput U\n");
+    const auto sweep = [&](float first) {
+        std::vector<double> values(16, 1.0);
+        values.front() = first;
+        write_npy(folder / "start.npy", {4, 4}, values, NpyType::float32);
+        return command({"sweep", file, "--backend", "reference", "--vary", "d=0.1,0.2", "--out", folder / "out"});
+    };
+    REQUIRE(sweep(0.5f).exit_code == 0);
+    CHECK(sweep(0.5f).exit_code == 0);
+    const Outcome changed = sweep(0.25f);
+    CHECK(changed.exit_code == 2);
+    CHECK_THAT(changed.err, Contains("its experiment, options or input files changed"));
+}
+
+TEST_CASE("a tile whose picture has no numbers is NaN, and one too short to judge is undecided") {
+    const Folder folder;
+    const auto verdict = [&](const std::string& output, const std::string& last) {
+        const std::string file =
+            folder.write("short.pex",
+                         "define parameter d 0.1\ndefine chemical U\ndefine chemical V\nuse chemical U conc 1 dev 0.5 "
+                         "diff d\ncreate matrix 8 8 wrap\nstop at " +
+                             last + "\noutput " + output + "\n");
+        std::filesystem::remove_all(folder / "out");
+        const Outcome outcome =
+            command({"sweep", file, "--backend", "reference", "--vary", "d=0.1,0.2", "--out", folder / "out"});
+        INFO(outcome.err);
+        REQUIRE(outcome.exit_code == 0);
+        return rows_of(read_all(folder / "out/sweep.csv")).at(1).at("verdict");
+    };
+    CHECK(verdict("(U / (V - V))", "100") == "NaN");
+    CHECK(verdict("U", "1") == "undecided");
+    CHECK(verdict("U", "0") == "undecided");
+    CHECK(verdict("U", "4000") == "uniform");
 }
 
 TEST_CASE("every device takes tiles, and the table is the reference's") {
@@ -185,6 +230,11 @@ TEST_CASE("a sweep that makes no sense says why") {
     CHECK_THAT(refused({"--samples", "5"}), Contains("give at least one"));
     CHECK_THAT(refused({"--vary", "F=0:0.1:3", "--latin"}), Contains("--samples"));
     CHECK_THAT(refused({"--vary", "K=1,2", "--points", bench.file}), Contains("leave --vary out"));
+    CHECK_THAT(refused({"--points", table, "--latin"}), Contains("none is drawn"));
+    CHECK_THAT(refused({"--vary", "K=0.05,0.06", "--set", "K=0.07"}), Contains("--set K=0.07: --vary gives 'K' its"));
+    CHECK_THAT(refused({"--vary", "side=8:9:3"}), Contains("--vary side: 8.5 is not a whole number"));
+    const std::string sides = bench.folder.write("sides.csv", "side\n8\n8.5\n");
+    CHECK_THAT(refused({"--points", sides}), Contains(": side (point 2): 8.5 is not a whole number"));
     CHECK_THAT(refused({"--vary", "K=1,2", "--until", "steady", "0"}), Contains("steady TOLERANCE"));
     CHECK_THAT(refused({"--vary", "K=1,2", "--until", "calm", "0.1"}), Contains("steady TOLERANCE"));
     CHECK_THAT(refused({"--vary", "K=0:1:1001", "--vary", "F=0:0.1:1001"}), Contains("more than 1000000 tiles"));
