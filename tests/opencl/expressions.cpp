@@ -3,7 +3,6 @@
 #include "language/parse.hpp"
 #include "opencl/backend.hpp"
 #include "reference/backend.hpp"
-#include "support/variable.hpp"
 #include "verify/compare.hpp"
 
 #include <fmt/format.h>
@@ -83,7 +82,6 @@ TEST_CASE("Expressions on a matrix have the reference's bits on every path") {
 }
 
 TEST_CASE("Laplacians and gradients in expressions have the reference's bits on every path and at every edge") {
-    const test::Unoptimised programs;
     const std::pair<Path, std::string> kinds[] = {{Path::step, "absorbing"},  {Path::step, "wrap"},
                                                   {Path::shared, "no-flux"},  {Path::streamed, "no-flux"},
                                                   {Path::streamed, "wrap"},   {Path::streamed, "absorbing"},
@@ -184,7 +182,6 @@ TEST_CASE("Expressions on a published grid and on free cells have the reference'
 }
 
 TEST_CASE("Expressions follow a growing matrix and phases") {
-    const test::Unoptimised programs;
     OpenclOptions options;
     options.path = GENERATE(Path::shared, Path::streamed);
     check_equal(chemicals + lattice_fields + starts +

@@ -1,7 +1,6 @@
 // Lattice cases: the OpenCL device gives the bits of the reference. In float; in double and on every path they run in
 // opencl_long/every_path.cpp, and what the table of pairs generates on all of them in every verification.
 #include "lattice_run.hpp"
-#include "support/variable.hpp"
 
 using namespace pelage;
 using namespace pelage::verify;
@@ -16,7 +15,6 @@ OpenclOptions few_variants() {
 }
 
 void check(const char* names) {
-    const Unoptimised programs;
     check_cases(names, few_variants());
 }
 

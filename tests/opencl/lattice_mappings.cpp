@@ -3,7 +3,6 @@
 #include "language/parse.hpp"
 #include "opencl/backend.hpp"
 #include "reference/backend.hpp"
-#include "support/variable.hpp"
 #include "verify/compare.hpp"
 
 #include <catch2/catch.hpp>
@@ -11,7 +10,6 @@
 using namespace pelage;
 
 TEST_CASE("A mapping outlives its rule while another one is written") {
-    const test::Unoptimised programs;
     const Experiment experiment = parse_experiment(
         "define chemical U\n"
         "use chemical U conc 2 dev 1 diff 0.1\n"

@@ -2,7 +2,6 @@
 #include "busy_lattice.hpp"
 #include "lattice_run.hpp"
 #include "opencl/lattice/choice.hpp"
-#include "support/variable.hpp"
 
 using namespace pelage;
 using namespace pelage::verify;
@@ -22,7 +21,6 @@ OpenclOptions tiled(LatticeCut cut = {}, std::size_t width = 0) {
 }  // namespace
 
 TEST_CASE("tiled: every shape gives the same bits") {
-    const test::Unoptimised programs;
     struct Shape {
         LatticeCut cut;
         Boundary boundary = Boundary::wrap;
@@ -52,7 +50,6 @@ TEST_CASE("tiled: shapes that do not fit local memory are cut down to it") {
 }
 
 TEST_CASE("streamed: every shape gives the same bits") {
-    const test::Unoptimised programs;
     const auto cut =
         GENERATE(LatticeCut{1, 8, 1, 1}, LatticeCut{16, 64, 4, 2}, LatticeCut{32, 512, 16, 1}, LatticeCut{3, 20, 5, 7});
     const Experiment experiment = busy(131, 57, Boundary::no_flux);
@@ -65,7 +62,6 @@ TEST_CASE("streamed: every shape gives the same bits") {
 }
 
 TEST_CASE("tiled: a lattice that outgrows its tiles gets larger ones, and the reference's bits") {
-    const test::Unoptimised programs;
     Lab lab = Lab::matrix(88, 88, Boundary::no_flux);
     lab.chemical("U", {5, 3}, {1, 0}, unbounded);
     Rule& growth = lab.rule(Expand{6, 6, true, Distribution::uniform, 1.0, 0.0, 0.0, true});

@@ -4,7 +4,6 @@
 #include "opencl/backend.hpp"
 #include "opencl/rules/emit_rules.hpp"
 #include "reference/backend.hpp"
-#include "support/variable.hpp"
 #include "verify/compare.hpp"
 
 #include <catch2/catch.hpp>
@@ -29,7 +28,6 @@ Experiment asked(const std::string& rule, const std::string& edge = "wrap") {
 }  // namespace
 
 TEST_CASE("networks have the reference's bits on every path") {
-    const test::Unoptimised programs;
     OpenclOptions options;
     options.path = GENERATE(Path::step, Path::shared, Path::streamed, Path::tiled);
     options.precision = options.path == Path::shared ? Precision::double_ : Precision::single_;

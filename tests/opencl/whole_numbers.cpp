@@ -1,6 +1,5 @@
 // Comparisons of whole numbers in kernels: every path carries them out exactly where float and int no longer can.
 #include "lattice_run.hpp"
-#include "support/variable.hpp"
 
 #include <tuple>
 #include <utility>
@@ -9,7 +8,6 @@ using namespace pelage;
 using namespace test;
 
 TEST_CASE("whole numbers near the last iteration: plain, shared, streamed and tiled kernels, float and double") {
-    const test::Unoptimised programs;
     OpenclOptions options;
     options.variants = 1;
     using Way = std::pair<Path, Precision>;

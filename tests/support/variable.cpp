@@ -16,11 +16,4 @@ Variable::~Variable() {
     if (!before_) unsetenv(name_);
 }
 
-Unoptimised::Unoptimised() {
-    const char* cache = std::getenv("PELAGE_CACHE");
-    if (cache == nullptr || std::getenv("PELAGE_OPTIMISED") != nullptr) return;
-    flags_.emplace("POCL_EXTRA_BUILD_FLAGS", "-cl-opt-disable");
-    cache_.emplace("PELAGE_CACHE", (std::string(cache) + "-unoptimised").c_str());
-}
-
 }  // namespace test
