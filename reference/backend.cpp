@@ -28,6 +28,7 @@ public:
                                          return lattice.charges ? make_reference_aggregate(shared, initial)
                                                                 : make_reference_lattice(shared, initial, precision_);
                                      },
+                                     [&](const Volume&) { return make_reference_lattice(shared, initial, precision_); },
                                      [&](const FreeCells&) {
                                          return make_reference_cells(shared, initial, precision_, search_, sorting_);
                                      }},

@@ -40,7 +40,7 @@ struct CheckOptions {
 void explain_paths(const Experiment& experiment) {
     const Space space = space_of(experiment);
     const auto* lattice = std::get_if<Lattice>(&space);
-    if (lattice == nullptr || lattice->charges) return;
+    if (!keeps_places(space) || (lattice != nullptr && lattice->charges)) return;
     const DeviceInfo processor = usual_processor();
     const Snapshot initial = initial_state(experiment);
     say("  on a processor of {}:\n", counted(processor.processors, "thread"));

@@ -3,6 +3,7 @@
 
 #include "io/brush.hpp"
 #include "io/output_file.hpp"
+#include "io/projection.hpp"
 #include "io/relief.hpp"
 #include "io/texture.hpp"
 
@@ -201,8 +202,22 @@ Picture FilmPainter::of_state(const Snapshot& state) {
     const Drawn drawn(experiment_, plan_.output, plan_.place, state);
     if (plan_.texture) return texture(state, drawn);
     const ValueRange range = seen(drawn.values());
+    if (state.volume()) return projection(state, drawn, range);
     if (!state.lattice()) return cells(state, Brush(plan_.output, drawn.columns(), range));
     Surface surface{drawn.columns(), state.columns, state.rows};
+    surface.wrap = wraps(experiment_);
+    return of_surface(surface, plan_.output, range);
+}
+
+Picture FilmPainter::projection(const Snapshot& state, const Drawn& drawn, const ValueRange& found) {
+    const Projection how = projection_of(plan_.output);
+    const ValueRange range = drawn_range(plan_.output, drawn.values(), found);
+    if (how.kind == Projection::Kind::transparent) {
+        const Brush brush(plan_.output, drawn.columns(), range);
+        return shallow(transparent_picture(state, brush, drawn.values(), range));
+    }
+    const Projected shown = projected(how, state, drawn.columns());
+    Surface surface{shown.spans(), shown.columns, shown.rows};
     surface.wrap = wraps(experiment_);
     return of_surface(surface, plan_.output, range);
 }

@@ -45,6 +45,7 @@ private:
     Picture map(const Shot&);
     Picture of_state(const Snapshot&);
     Picture texture(const Snapshot&, const Drawn&);
+    Picture projection(const Snapshot&, const Drawn&, const ValueRange& found);  // of a volume
     Picture cells(const Snapshot&, const Brush&);
     Picture in_frame(Picture) const;
     const QuickColours& quick(bool yuv);

@@ -6,6 +6,7 @@
 #include "core/error.hpp"
 #include "core/forecast.hpp"
 #include "core/space.hpp"
+#include "io/projection.hpp"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -122,7 +123,12 @@ void choose_frame(FilmPlan& plan, const std::string& size, double columns, doubl
 }
 
 // Of the largest picture of a lattice or a texture, an element a pixel.
-std::optional<LatticeSize> size_drawn(const FilmPlan& plan, const Experiment& experiment, const Lattice* lattice) {
+std::optional<LatticeSize> size_drawn(const FilmPlan& plan, const Experiment& experiment, const Space& space) {
+    if (const auto* volume = std::get_if<Volume>(&space)) {
+        const auto size = projected_size(projection_of(plan.output), {volume->columns, volume->rows, volume->layers});
+        return LatticeSize{static_cast<double>(size[0]), static_cast<double>(size[1])};
+    }
+    const auto* lattice = std::get_if<Lattice>(&space);
     if (plan.texture) {
         const auto [columns, rows] = *experiment.texture;
         return LatticeSize{static_cast<double>(columns), static_cast<double>(rows)};
@@ -198,9 +204,9 @@ std::optional<FilmPlan> plan_film(const RunOptions& options, const Experiment& e
     plan.every = video.every != 0 ? video.every : std::max<std::uint64_t>(1, (last + frames - 1) / frames);
     const Space space = space_of(experiment);
     const auto* lattice = std::get_if<Lattice>(&space);
-    choose_output(plan, video.of, experiment, lattice != nullptr);
+    choose_output(plan, video.of, experiment, keeps_places(space));
     plan.plain = lattice != nullptr && !plan.texture && plan.output.expressions.empty();
-    if (const auto size = size_drawn(plan, experiment, lattice)) {
+    if (const auto size = size_drawn(plan, experiment, space)) {
         choose_frame(plan, video.size, size->columns, size->rows);
     } else if (!video.size.empty()) {
         plan.frame = parse_frame_size(video.size);

@@ -59,9 +59,12 @@ void FiniteGuard::narrow(Breakdown& breakdown) {
 std::string describe(const Breakdown& breakdown, const Tissue& tissue) {
     const Snapshot state = tissue.read();
     const auto [chemical, cell] = breakdown.where;
-    const std::string place =
-        state.lattice() ? fmt::format("cell {} (row {}, column {})", cell, cell / state.columns, cell % state.columns)
-                        : fmt::format("cell {}", cell);
+    std::string place = fmt::format("cell {}", cell);
+    if (state.on_grid()) {
+        const std::size_t line = cell / state.columns;
+        const std::string layer = state.volume() ? fmt::format("layer {}, ", line / state.rows) : "";
+        place += fmt::format(" ({}row {}, column {})", layer, line % state.rows, cell % state.columns);
+    }
     const bool exact = breakdown.iteration <= breakdown.finite_after + 1;
     const std::string when =
         exact ? fmt::format("in iteration {}", breakdown.iteration)

@@ -5,6 +5,7 @@
 #include "core/counted.hpp"
 #include "core/error.hpp"
 #include "core/forecast.hpp"
+#include "core/space.hpp"
 
 #include <fmt/format.h>
 
@@ -13,12 +14,23 @@
 
 namespace pelage::app {
 
+namespace {
+
+std::size_t most_neighbours(const Space& space) {
+    const auto* volume = std::get_if<Volume>(&space);
+    if (volume == nullptr) return 8;
+    return volume->stencil == Stencil::seven_point ? 6 : 26;
+}
+
+}  // namespace
+
 Footprint footprint(const Experiment& experiment, std::uint64_t last, Precision precision, bool resumed) {
     const auto chemicals = static_cast<double>(experiment.chemicals.size());
     const auto mappings = static_cast<double>(experiment.mappings.size());
     const double scalar = precision == Precision::double_ ? 8 : 4;
-    constexpr double integers = 4 + 4 + 1;    // birth, neighbours, fixed
-    constexpr double lists = 8 * 14 + 8 + 4;  // of up to eight neighbours, where they begin, their count
+    constexpr double integers = 4 + 4 + 1;  // birth, neighbours, fixed
+    const auto neighbours = static_cast<double>(most_neighbours(space_of(experiment)));
+    const double lists = neighbours * 15 + 8 + 4;  // of neighbours, where they begin, their count
     const double state = scalar * (2 * chemicals + mappings + 4) + integers;
     Footprint need;
     need.cells = final_cells(experiment, last);

@@ -97,7 +97,7 @@ Prepared prepare(const RunOptions& options) {
 }
 
 void check_formats(const RunOptions& options, const Experiment& experiment) {
-    if (options.formats.empty() || experiment.texture || std::holds_alternative<Lattice>(space_of(experiment))) return;
+    if (options.formats.empty() || experiment.texture || keeps_places(space_of(experiment))) return;
     const auto formats = options.format_list();
     if (std::find(formats.begin(), formats.end(), Format::exr) == formats.end()) return;
     throw Error(

@@ -171,6 +171,7 @@ void Recorder::manifest(const Snapshot& state, const Tally& tally, const char* e
     manifest.cells = state.cells();
     manifest.columns = state.columns;
     manifest.rows = state.rows;
+    if (state.volume()) manifest.more_counts["layers"] = state.layers;
     manifest.seconds = tally.seconds;
     manifest.updates_per_second = tally.updates_per_second();
     if (options_.random) write_drawn();

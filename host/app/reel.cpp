@@ -20,6 +20,8 @@ namespace {
 
 namespace fs = std::filesystem;
 
+constexpr unsigned layers_shift = 32;  // of a volume's layers, which lie in the upper half of the rows
+
 bool shared(const Output& output) {
     return !output.range && !output.own_range && output.drawing != Drawing::normal && !output.rgb();
 }
@@ -28,8 +30,8 @@ bool shared(const Output& output) {
 template <class State>
 auto columns_of(State& state, const Experiment& experiment) {
     std::vector<decltype(&state.x)> columns;
-    if (!state.lattice() || experiment.texture) columns = {&state.x, &state.y};
-    if (!state.lattice()) columns.insert(columns.end(), {&state.polarity_x, &state.polarity_y});
+    if (!state.on_grid() || experiment.texture) columns = {&state.x, &state.y};
+    if (!state.on_grid()) columns.insert(columns.end(), {&state.polarity_x, &state.polarity_y});
     std::set<std::size_t> chemicals;
     for (const Output& output : experiment.outputs) {
         if (shared(output) && output.expressions.empty() && chemicals.insert(output.chemical).second)
@@ -100,7 +102,8 @@ std::optional<Reel::Frame> Reel::read_record() {
     Snapshot state;
     state.iteration = shape[0];
     state.columns = shape[1];
-    state.rows = shape[2];
+    state.rows = shape[2] & 0xffffffffu;
+    state.layers = shape[2] >> layers_shift;
     state.origin_x = centre[0];
     state.origin_y = centre[1];
     const auto cells = static_cast<std::size_t>(shape[3]);
@@ -136,7 +139,8 @@ OutputValues Reel::computed(const Snapshot& state) const {
 }
 
 void Reel::write_record(const Snapshot& state, const OutputValues& computed) {
-    const std::array<std::uint64_t, 4> shape{state.iteration, state.columns, state.rows, state.cells()};
+    const std::array<std::uint64_t, 4> shape{state.iteration, state.columns,
+                                             state.rows | std::uint64_t{state.layers} << layers_shift, state.cells()};
     const std::array<double, 2> centre{state.origin_x, state.origin_y};
     if (std::fseek(file_.get(), 0, SEEK_END) != 0) fail();
     records_.push_back({state.iteration, std::ftell(file_.get()), ranges_});

@@ -49,7 +49,7 @@ private:
 
 Outcome outcome_of(const Snapshot& state) {
     Outcome found;
-    if (!state.lattice()) {
+    if (!state.on_grid()) {
         found.push_back(float_array("x", state.x));
         found.push_back(float_array("y", state.y));
     }

@@ -19,6 +19,33 @@ void add(LatticeAdjacency& made, const Lattice& lattice, std::size_t column, std
     made.directions.push_back(to);
 }
 
+// Calls visit(direction) for each neighbour that the stencil has, in order.
+template <class Visit>
+void each_direction(const Volume& volume, Visit&& visit) {
+    for (int deep = -1; deep <= 1; ++deep) {
+        for (int up = -1; up <= 1; ++up) {
+            for (int right = -1; right <= 1; ++right) {
+                const Direction to = direction(right, up, deep);
+                if (neighbour_share(volume, to) != 0.0) visit(to);
+            }
+        }
+    }
+}
+
+void add(LatticeAdjacency& made, const Volume& volume, std::size_t cell, Direction to) {
+    const std::size_t line = cell / volume.columns;
+    const auto across = place_along(cell % volume.columns, to.right, volume.columns, volume.boundary);
+    const auto row = place_along(line % volume.rows, to.up, volume.rows, volume.boundary);
+    const auto layer = place_along(line / volume.rows, to.deep, volume.layers, volume.boundary);
+    const bool outside = !across || !row || !layer;
+    if (outside && volume.boundary != Boundary::absorbing) return;
+    made.indices.push_back(outside
+                               ? Adjacency::nobody
+                               : static_cast<std::uint32_t>((*layer * volume.rows + *row) * volume.columns + *across));
+    made.weights.push_back(neighbour_share(volume, to));
+    made.directions.push_back(to);
+}
+
 }  // namespace
 
 std::optional<std::size_t> place_along(std::size_t place, int offset, std::size_t count, Boundary boundary) {
@@ -51,6 +78,13 @@ double neighbour_share(const Lattice& lattice, Direction to) {
     }
 }
 
+double neighbour_share(const Volume& volume, Direction to) {
+    const int away = (to.right != 0 ? 1 : 0) + (to.up != 0 ? 1 : 0) + (to.deep != 0 ? 1 : 0);
+    if (away == 0) return 0.0;
+    if (volume.stencil == Stencil::seven_point) return away == 1 ? 1.0 : 0.0;
+    return (away == 1 ? 14.0 : away == 2 ? 3.0 : 1.0) / 30;
+}
+
 std::vector<int> row_order(const Lattice& lattice, std::size_t row) {
     if (lattice.arithmetic == Arithmetic::published && lattice.boundary != Boundary::wrap) {
         if (row == 0) return {1, 0};
@@ -73,6 +107,16 @@ LatticeAdjacency lattice_adjacency(const Lattice& lattice) {
             }
             made.offsets.push_back(made.indices.size());
         }
+    }
+    return made;
+}
+
+LatticeAdjacency volume_adjacency(const Volume& volume) {
+    LatticeAdjacency made;
+    const std::size_t cells = volume.columns * volume.rows * volume.layers;
+    for (std::size_t cell = 0; cell < cells; ++cell) {
+        each_direction(volume, [&](Direction to) { add(made, volume, cell, to); });
+        made.offsets.push_back(made.indices.size());
     }
     return made;
 }

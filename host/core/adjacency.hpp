@@ -27,14 +27,16 @@ struct Adjacency {
 struct Direction {
     std::int8_t right = 0;
     std::int8_t up = 0;
+    std::int8_t deep = 0;  // layers of a volume: -1, 0 or 1
 };
-constexpr Direction direction(int right, int up) {
-    return {static_cast<std::int8_t>(right), static_cast<std::int8_t>(up)};
+constexpr Direction direction(int right, int up, int deep = 0) {
+    return {static_cast<std::int8_t>(right), static_cast<std::int8_t>(up), static_cast<std::int8_t>(deep)};
 }
 constexpr bool is_beside(Direction to) { return to.right >= -1 && to.right <= 1 && to.up >= -1 && to.up <= 1; }
 
-// A neighbour's weight in the lattice's stencil; five_point has no diagonal ones.
+// A neighbour's weight in the stencil; five_point has no diagonal ones, seven_point those at faces alone.
 double neighbour_share(const Lattice&, Direction);
+double neighbour_share(const Volume&, Direction);
 
 struct LatticeAdjacency : Adjacency {
     std::vector<Direction> directions;  // one an entry
@@ -43,6 +45,8 @@ struct LatticeAdjacency : Adjacency {
 // The eight neighbours of each cell, four under five_point, or 24 under 25 weights of one's own; beyond an edge that
 // lets nothing through there is none.
 LatticeAdjacency lattice_adjacency(const Lattice&);
+// From the layer before to the one behind, in each from the row below to the one above, in each from left to right.
+LatticeAdjacency volume_adjacency(const Volume&);
 
 // The place `offset` further along a line of `count` places; empty beyond an edge.
 std::optional<std::size_t> place_along(std::size_t place, int offset, std::size_t count, Boundary);

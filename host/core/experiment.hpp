@@ -32,8 +32,14 @@ enum class Stencil {
     nine_point,  // [1 4 1; 4 -20 4; 1 4 1] / 6, isotropic (Malheiros, Fensterseifer & Walter 2020)
     five_point,  // four edge neighbours, weight 1 each
     sims,        // 0.2 along edges, 0.05 along diagonals (Sims; McConnell 2024)
-    own          // Experiment::weights
+    own,         // Experiment::weights
+    // of volumes
+    seven_point,        // six faces, weight 1 each
+    twenty_seven_point  // faces 14, edges 3, corners 1, each / 30: isotropic up to the fourth order
 };
+constexpr bool of_volumes(Stencil stencil) {
+    return stencil == Stencil::seven_point || stencil == Stencil::twenty_seven_point;
+}
 
 // Of a stencil of the user's own: three or five rows from the upper to the lower one, each of as many numbers from left
 // to right. The middle is minus the sum of the others. They need not be symmetric, and may be negative.
@@ -291,6 +297,12 @@ struct CreateMatrix {
     double x = 0.0, y = 0.0;
     bool charges = false;  // its cells are the sites of an aggregate
 };
+struct CreateVolume {
+    std::size_t columns = 0;
+    std::size_t rows = 0;
+    std::size_t layers = 0;
+    Boundary boundary = Boundary::no_flux;
+};
 struct CreateShape {
     std::vector<std::string> lines;  // top line first; letters are cells
     double x = 0.0, y = 0.0;
@@ -314,8 +326,8 @@ struct SetCells {
     std::variant<SetConcentration, SetRate, SetPolarity, SetFixed> what;
     std::optional<std::size_t> where = std::nullopt;  // place in Experiment::expressions: only cells where it is true
 };
-using Statement =
-    std::variant<UseChemical, UsePolarity, UseSeed, CreateCell, CreateGrid, CreateMatrix, CreateShape, SetCells>;
+using Statement = std::variant<UseChemical, UsePolarity, UseSeed, CreateCell, CreateGrid, CreateMatrix, CreateVolume,
+                               CreateShape, SetCells>;
 
 // ---- phases
 
@@ -356,6 +368,20 @@ enum class Drawing {
     normal    // directions of a surface whose height is the chemical's amount times Output::strength, in cells
 };
 
+enum class Axis { x, y, z };
+
+// How a volume becomes a picture of columns and rows: the first axis that is left goes right, the second one up.
+struct Projection {
+    enum class Kind {
+        slice,       // one layer, row or column
+        maximum,     // the largest value along z
+        transparent  // along z, front (layer 0) to back: what has more is more opaque
+    };
+    Kind kind = Kind::slice;
+    Axis axis = Axis::z;                           // of a slice: the one that it is at right angles to
+    std::optional<std::size_t> at = std::nullopt;  // its place there; empty: the middle
+};
+
 struct Output {  // one picture
     std::size_t chemical = 0;
     Colormap colormap;
@@ -365,7 +391,8 @@ struct Output {  // one picture
     double strength = 1.0;  // of a normal map
     // Drawn instead of the chemical: one, or three that are red, green and blue of 0 to 1, without colormap and range.
     std::vector<Expression> expressions = {};
-    std::string name = {};  // of the file, where the experiment gives one
+    std::string name = {};                                // of the file, where the experiment gives one
+    std::optional<Projection> projection = std::nullopt;  // of a volume; empty: its middle layer
 
     bool rgb() const { return expressions.size() == 3; }
 };
@@ -396,7 +423,7 @@ struct Experiment {
     std::vector<Rule> rules;
     std::vector<Phase> phases;
 
-    Stencil stencil = Stencil::nine_point;  // of a matrix; a sqr_grid is always moore
+    Stencil stencil = Stencil::nine_point;  // of a matrix or a volume; see space_of()
     StencilWeights weights;                 // of Stencil::own
     std::vector<NamedStencil> stencils;     // that expressions name
     Domain domain;

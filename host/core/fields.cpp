@@ -81,10 +81,14 @@ Scene scene_of(const Experiment& experiment, const Extent& extent) {
     Scene scene;
     scene.columns = extent.columns;
     scene.rows = extent.rows;
+    scene.layers = extent.layers;
     const std::vector<double> x = centres(extent.origin_x, extent.columns);
-    for (const double y : centres(extent.origin_y, extent.rows)) {
-        scene.x.insert(scene.x.end(), x.begin(), x.end());
-        scene.y.insert(scene.y.end(), x.size(), y);
+    const std::vector<double> rows = centres(extent.origin_y, extent.rows);
+    for (std::size_t layer = 0; layer < std::max<std::size_t>(extent.layers, 1); ++layer) {
+        for (const double y : rows) {
+            scene.x.insert(scene.x.end(), x.begin(), x.end());
+            scene.y.insert(scene.y.end(), x.size(), y);
+        }
     }
     scene.seed = experiment.run_seed();
     scene.purpose = purpose::field;
@@ -109,14 +113,20 @@ void check(const Experiment& experiment, const PlaceField& field, const Extent& 
     if (field.name.empty()) return;
     for (std::size_t cell = 0; cell < values.size(); ++cell) {
         if (std::isfinite(values[cell])) continue;
-        throw Error(fmt::format("{}: field '{}' is {} in column {}, row {}; it must be a number everywhere",
+        const std::size_t line = cell / extent.columns;
+        const std::string layer = extent.layers == 0 ? "" : fmt::format(", layer {}", line / extent.rows);
+        throw Error(fmt::format("{}: field '{}' is {} in column {}, row {}{}; it must be a number everywhere",
                                 experiment.where(field.line), field.name,
                                 std::isnan(values[cell]) ? "no number" : "infinite", cell % extent.columns,
-                                cell / extent.columns));
+                                line % extent.rows, layer));
     }
 }
 
 }  // namespace
+
+Extent extent_of(const Snapshot& state) {
+    return {state.columns, state.rows, state.origin_x, state.origin_y, state.layers};
+}
 
 std::vector<double> centres(double origin, std::size_t count) {
     std::vector<double> values(count);
@@ -249,7 +259,7 @@ void compute_once(Experiment& experiment, Expression& expression) {
 }  // namespace
 
 void compute_places_once(Experiment& experiment) {
-    if (std::holds_alternative<FreeCells>(space_of(experiment))) return;
+    if (!keeps_places(space_of(experiment))) return;
     for (Expression& expression : experiment.expressions) compute_once(experiment, expression);
 }
 

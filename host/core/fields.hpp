@@ -3,19 +3,22 @@
 
 #include "core/experiment.hpp"
 #include "core/precision.hpp"
+#include "core/snapshot.hpp"
 
 #include <cstddef>
 #include <vector>
 
 namespace pelage {
 
-// A lattice's size and centre.
+// The size of a lattice or a volume, and a lattice's centre.
 struct Extent {
     std::size_t columns = 0;
     std::size_t rows = 0;
     double origin_x = 0.0;
     double origin_y = 0.0;
+    std::size_t layers = 0;  // of a volume
 };
+Extent extent_of(const Snapshot&);
 
 // Centres of cells that lie 2 apart around `origin`.
 std::vector<double> centres(double origin, std::size_t count);

@@ -50,8 +50,9 @@ void Growable::stretch(const Expand& growth) {
 
 Growable& growable(Tissue& tissue) {
     auto* found = dynamic_cast<Growable*>(&tissue);
-    if (found == nullptr) throw Error("only a lattice can be expanded; this tissue has free cells");
-    return *found;
+    if (found != nullptr && tissue.layers() == 0) return *found;
+    throw Error(fmt::format("only a lattice can be expanded; this tissue {}",
+                            tissue.layers() != 0 ? "is a volume" : "has free cells"));
 }
 
 }  // namespace pelage

@@ -48,9 +48,16 @@ bool uses_polarity(const Experiment& experiment, const Snapshot& initial) {
 
 LatticePlan lattice_plan(const Experiment& experiment, const Snapshot& initial) {
     const Space space = space_of(experiment);
-    const auto* lattice = std::get_if<Lattice>(&space);
-    if (lattice == nullptr) throw Error(experiment.source + ": the tissue is not a lattice");
-    LatticePlan plan{*lattice, {}, false};
+    LatticePlan plan;
+    if (const auto* lattice = std::get_if<Lattice>(&space)) {
+        static_cast<Lattice&>(plan) = *lattice;
+    } else if (const auto* volume = std::get_if<Volume>(&space)) {
+        plan.boundary = volume->boundary;
+        plan.stencil = volume->stencil;
+        plan.layers = initial.layers;
+    } else {
+        throw Error(experiment.source + ": the tissue is not a lattice");
+    }
     plan.columns = initial.columns;  // it may have grown
     plan.rows = initial.rows;
     for (std::size_t chemical = 0; chemical < experiment.chemicals.size(); ++chemical) {

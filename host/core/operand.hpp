@@ -12,10 +12,13 @@ enum class Quantity {
     birth,
     x,
     y,
+    z,  // of a volume, 0 in its middle
     row,
     column,
+    layer,  // of a volume
     rows,
     columns,
+    layers,
     iteration,
     time,           // Experiment::time_at() the iteration
     random,         // uniform in [0, 1), a fresh draw for each cell, iteration and place in the file
@@ -25,6 +28,7 @@ enum class Quantity {
     laplacian,      // of chemical Operand::index; see docs/language.md
     gradient_x,
     gradient_y,
+    gradient_z,
     stencil,    // Experiment::stencils[Operand::stencil] over the cells around, of chemical Operand::index
     field,      // Experiment::fields[Operand::index]
     expression  // Experiment::expressions[Operand::index]
@@ -39,8 +43,10 @@ constexpr bool is_whole(Quantity quantity) {
         case Quantity::birth:
         case Quantity::row:
         case Quantity::column:
+        case Quantity::layer:
         case Quantity::rows:
         case Quantity::columns:
+        case Quantity::layers:
         case Quantity::iteration:
             return true;
         default:

@@ -64,6 +64,14 @@ public:
         (*this)(CreateGrid{Arrangement::sqr_grid, matrix.columns, matrix.rows, matrix.x, matrix.y, 0.0, false, false});
     }
 
+    // Layer after layer, each with its centre in (0, 0).
+    void operator()(const CreateVolume& volume) {
+        reserve(state_.cells() + volume.columns * volume.rows * volume.layers);
+        const CreateGrid layer{Arrangement::sqr_grid, volume.columns, volume.rows, 0.0, 0.0, 0.0, false, false};
+        for (std::size_t nth = 0; nth < volume.layers; ++nth)
+            for_each_centre<T>(layer, [&](T x, T y) { create(x, y, false); });
+    }
+
     void operator()(const CreateShape& shape) {
         std::size_t columns = 0;
         for (const std::string& line : shape.lines) columns = std::max(columns, line.size());
@@ -195,6 +203,15 @@ private:
                     field_values(experiment_, {lattice->columns, lattice->rows, lattice->x, lattice->y}, precision);
             return fields_;
         }
+        if (const auto* volume = std::get_if<Volume>(&space)) {
+            scene.columns = volume->columns;
+            scene.rows = volume->rows;
+            scene.layers = volume->layers;
+            if (fields_.empty())
+                fields_ = field_values(experiment_, {volume->columns, volume->rows, 0.0, 0.0, volume->layers},
+                                       std::is_same_v<T, float> ? Precision::single_ : Precision::double_);
+            return fields_;
+        }
         fields_.clear();
         scene.fields = &fields_;
         for (const PlaceField& field : experiment_.fields)
@@ -286,6 +303,11 @@ private:
 
     void shape_lattice() {
         const Space space = space_of(experiment_);
+        if (const auto* volume = std::get_if<Volume>(&space)) {
+            state_.columns = volume->columns;
+            state_.rows = volume->rows;
+            state_.layers = volume->layers;
+        }
         const auto* lattice = std::get_if<Lattice>(&space);
         if (lattice == nullptr) return;
         state_.columns = lattice->columns;
@@ -322,6 +344,7 @@ private:
 struct Counter {
     std::size_t operator()(const CreateCell&) const { return 1; }
     std::size_t operator()(const CreateMatrix& matrix) const { return matrix.columns * matrix.rows; }
+    std::size_t operator()(const CreateVolume& volume) const { return volume.columns * volume.rows * volume.layers; }
     std::size_t operator()(const CreateGrid& grid) const {
         const bool circle = grid.arrangement == Arrangement::sqr_circle || grid.arrangement == Arrangement::hex_circle;
         if (!circle) return grid.columns * grid.rows;

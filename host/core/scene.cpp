@@ -4,6 +4,7 @@
 #include "core/adjacency.hpp"
 #include "core/error.hpp"
 #include "core/evaluate.hpp"
+#include "core/fields.hpp"
 #include "core/philox.hpp"
 
 #include <optional>
@@ -59,6 +60,42 @@ private:
     const std::vector<double>& values_;
 };
 
+// The same in a volume.
+class AroundInVolume {
+public:
+    AroundInVolume(const Volume& volume, const std::vector<double>& values) : volume_(volume), values_(values) {}
+
+    double laplacian(std::size_t cell) const {
+        double sum = 0.0;
+        for (int deep = -1; deep <= 1; ++deep) {
+            for (int up = -1; up <= 1; ++up) {
+                for (int right = -1; right <= 1; ++right) {
+                    const Direction to = direction(right, up, deep);
+                    sum += neighbour_share(volume_, to) * difference(cell, to);
+                }
+            }
+        }
+        return sum;
+    }
+    double gradient(std::size_t cell, Direction ahead, Direction back) const {
+        return 0.5 * (difference(cell, ahead) - difference(cell, back));
+    }
+
+private:
+    double difference(std::size_t cell, Direction to) const {
+        const std::size_t line = cell / volume_.columns;
+        const auto column = place_along(cell % volume_.columns, to.right, volume_.columns, volume_.boundary);
+        const auto row = place_along(line % volume_.rows, to.up, volume_.rows, volume_.boundary);
+        const auto layer = place_along(line / volume_.rows, to.deep, volume_.layers, volume_.boundary);
+        if (column && row && layer)
+            return values_[(*layer * volume_.rows + *row) * volume_.columns + *column] - values_[cell];
+        return volume_.boundary == Boundary::absorbing ? -values_[cell] : 0.0;
+    }
+
+    const Volume& volume_;
+    const std::vector<double>& values_;
+};
+
 class Columns {
 public:
     explicit Columns(const Scene& scene) : scene_(scene) {}
@@ -70,8 +107,18 @@ public:
                 return scene_.x;
             case Quantity::y:
                 return scene_.y;
+            case Quantity::z: {
+                const std::vector<double> z = centres(0.0, scene_.layers);
+                return each([&](std::size_t cell) { return z.empty() ? 0.0 : z[layer(cell)]; });
+            }
+            case Quantity::layer:
+                return each([&](std::size_t cell) { return static_cast<double>(layer(cell)); });
+            case Quantity::layers:
+                return each([&](std::size_t) { return static_cast<double>(scene_.layers); });
             case Quantity::row:
-                return each([&](std::size_t cell) { return static_cast<double>(cell / columns); });
+                return each([&](std::size_t cell) {
+                    return static_cast<double>(scene_.layers == 0 ? cell / columns : cell / columns % scene_.rows);
+                });
             case Quantity::column:
                 return each([&](std::size_t cell) { return static_cast<double>(cell % columns); });
             case Quantity::rows:
@@ -98,6 +145,8 @@ public:
     }
 
 private:
+    std::size_t layer(std::size_t cell) const { return scene_.layers == 0 ? 0 : cell / (scene_.columns * scene_.rows); }
+
     std::vector<double> part(const std::vector<double>& of_all) const {
         const auto first = of_all.begin() + static_cast<std::ptrdiff_t>(scene_.first);
         return {first, first + static_cast<std::ptrdiff_t>(scene_.cells())};
@@ -123,6 +172,7 @@ private:
         }
     }
     std::vector<double> of_neighbours(const Operand& operand) const {
+        if (scene_.volume != nullptr) return in_volume(operand);
         if (scene_.lattice == nullptr) throw Error("an expression reads what lattices alone have");
         const Around around(*scene_.lattice, scene_, scene_.conc->at(operand.index));
         if (operand.quantity == Quantity::laplacian)
@@ -135,6 +185,25 @@ private:
         if (operand.quantity == Quantity::gradient_x)
             return each([&](std::size_t cell) { return around.gradient_x(cell); });
         return each([&](std::size_t cell) { return around.gradient_y(cell); });
+    }
+
+    std::vector<double> in_volume(const Operand& operand) const {
+        const AroundInVolume around(*scene_.volume, scene_.conc->at(operand.index));
+        const auto along = [&](Direction ahead, Direction back) {
+            return each([&](std::size_t cell) { return around.gradient(cell, ahead, back); });
+        };
+        switch (operand.quantity) {
+            case Quantity::laplacian:
+                return each([&](std::size_t cell) { return around.laplacian(cell); });
+            case Quantity::gradient_x:
+                return along(direction(1, 0), direction(-1, 0));
+            case Quantity::gradient_y:
+                return along(direction(0, 1), direction(0, -1));
+            case Quantity::gradient_z:
+                return along(direction(0, 0, 1), direction(0, 0, -1));
+            default:
+                throw Error("an expression reads what lattices alone have");
+        }
     }
 
     template <class F>
@@ -163,10 +232,13 @@ bool seen_by_field(Quantity quantity) {
         case Quantity::number:
         case Quantity::x:
         case Quantity::y:
+        case Quantity::z:
         case Quantity::row:
         case Quantity::column:
+        case Quantity::layer:
         case Quantity::rows:
         case Quantity::columns:
+        case Quantity::layers:
         case Quantity::random:
         case Quantity::field:
             return true;

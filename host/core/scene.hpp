@@ -15,7 +15,8 @@ namespace pelage {
 struct Scene {
     std::size_t columns = 0;  // 0 for free cells
     std::size_t rows = 0;
-    std::size_t first = 0;  // id of the first cell that is looked at
+    std::size_t layers = 0;  // of a volume
+    std::size_t first = 0;   // id of the first cell that is looked at
     std::vector<double> x, y;
     // What may be read; null: none of it.
     const std::vector<std::vector<double>>* fields = nullptr;  // [field][cell], of those that are looked at
@@ -24,6 +25,7 @@ struct Scene {
     const Snapshot* state = nullptr;   // mappings, births, neighbours
     double time = 0.0;                 // of the state
     const Lattice* lattice = nullptr;  // with columns and rows of the scene: laplacian and gradients of `conc`
+    const Volume* volume = nullptr;    // likewise
     const std::vector<NamedStencil>* stencils = nullptr;
     // Of RANDOM: the key, and two words of the counter; the others are the cell's id and 0.
     std::int64_t seed = 1;

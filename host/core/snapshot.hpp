@@ -9,12 +9,14 @@
 namespace pelage {
 
 // Values are held as double whatever the precision of the run: a float survives the trip unchanged.
-// Cells are in id order; on a lattice id = row * columns + column, the bottom row being row 0.
+// Cells are in id order; on a lattice id = row * columns + column, the bottom row being row 0; in a volume
+// id = (layer * rows + row) * columns + column.
 struct Snapshot {
     std::uint64_t iteration = 0;
     std::size_t columns = 0;  // 0 for free cells
     std::size_t rows = 0;
-    double origin_x = 0.0;  // centre of a lattice
+    std::size_t layers = 0;  // of a volume; 0 for every other space
+    double origin_x = 0.0;   // centre of a lattice
     double origin_y = 0.0;
 
     std::vector<std::vector<double>> conc;      // [chemical][cell]
@@ -27,7 +29,9 @@ struct Snapshot {
     std::vector<std::uint8_t> fixed;
     std::vector<std::pair<std::uint32_t, std::uint32_t>> mirrors;  // ids of mirror pairs
 
-    bool lattice() const { return columns != 0; }
+    bool lattice() const { return columns != 0 && layers == 0; }
+    bool volume() const { return layers != 0; }
+    bool on_grid() const { return columns != 0; }  // cells in columns and rows: a lattice or a volume
     std::size_t cells() const { return x.size(); }
 };
 

@@ -34,6 +34,11 @@ std::optional<Space> created(const Statement& statement, const Experiment& exper
                               return Lattice{grid.columns,          grid.rows, grid.x, grid.y, boundary, Stencil::moore,
                                              Arithmetic::published, false,     {},     false};
                           },
+                          [&](const CreateVolume& v) -> Made {
+                              const Stencil given = experiment.stencil;
+                              return Volume{v.columns, v.rows, v.layers, v.boundary,
+                                            of_volumes(given) ? given : Stencil::seven_point};
+                          },
                           [](const CreateCell&) -> Made { return FreeCells{}; },
                           [](const CreateShape&) -> Made { return FreeCells{}; },
                           [](const UseChemical&) -> Made { return {}; },
@@ -67,8 +72,10 @@ Space space_of(const Experiment& experiment) {
 }
 
 void resize_lattice(Experiment& experiment, std::size_t columns, std::size_t rows) {
-    if (std::holds_alternative<FreeCells>(space_of(experiment))) {
-        throw Error(experiment.source + ": free cells have no columns and rows");
+    const Space space = space_of(experiment);
+    if (!std::holds_alternative<Lattice>(space)) {
+        throw Error(experiment.source + (keeps_places(space) ? ": a volume has layers, too; it keeps its size"
+                                                             : ": free cells have no columns and rows"));
     }
     const auto resize = [&](auto& lattice) {
         lattice.columns = columns;

@@ -29,15 +29,27 @@ struct Lattice {
     int reach() const { return stencil == Stencil::own ? reach_of(weights.size()) : 1; }  // of the stencil
 };
 
+// Cells in layers of rows of columns, a neighbour at each face, or at each face, edge and corner.
+struct Volume {
+    std::size_t columns = 0;
+    std::size_t rows = 0;
+    std::size_t layers = 0;
+    Boundary boundary = Boundary::no_flux;
+    Stencil stencil = Stencil::seven_point;
+};
+
 // Cells with centres anywhere in the plane; those nearer than 3 radii are neighbours.
 struct FreeCells {};
 
-using Space = std::variant<Lattice, FreeCells>;
+using Space = std::variant<Lattice, FreeCells, Volume>;
+
+// Whether cells stay where they are, each with the same neighbours: in every space but that of free cells.
+inline bool keeps_places(const Space& space) { return !std::holds_alternative<FreeCells>(space); }
 
 // Read off the `create` statements and the rules. Nothing else decides what kind of tissue an experiment is.
 Space space_of(const Experiment&);
 
-// Gives the statement that makes the lattice another size. Throws Error for free cells.
+// Gives the statement that makes the lattice another size. Throws Error where there is no lattice.
 void resize_lattice(Experiment&, std::size_t columns, std::size_t rows);
 
 }  // namespace pelage

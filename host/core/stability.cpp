@@ -21,6 +21,10 @@ double stiffness(Stencil stencil) {
             return 8.0;  // at (pi, pi)
         case Stencil::sims:
             return 1.6;  // at (pi, pi): 1 + 0.8 - 0.2
+        case Stencil::seven_point:
+            return 12.0;  // at (pi, pi, pi)
+        case Stencil::twenty_seven_point:
+            return 92.0 / 15;  // at (pi, pi, pi): (128 + 6 * 14 - 12 * 3 + 8) / 30
         case Stencil::own:
             break;
     }
@@ -59,7 +63,8 @@ constexpr double hexagonal_stiffness = 9.0;
 
 double stiffness(const Space& space) {
     return std::visit(Overloaded{[](const Lattice& lattice) { return stiffness(lattice); },
-                                 [](const FreeCells&) { return hexagonal_stiffness; }},
+                                 [](const FreeCells&) { return hexagonal_stiffness; },
+                                 [](const Volume& volume) { return stiffness(volume.stencil); }},
                       space);
 }
 

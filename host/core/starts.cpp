@@ -45,8 +45,7 @@ std::string range(const Bounds& bounds) {
 
 class Search {
 public:
-    explicit Search(const Experiment& experiment)
-        : experiment_(experiment), lattice_(std::holds_alternative<Lattice>(space_of(experiment))) {
+    explicit Search(const Experiment& experiment) : experiment_(experiment), space_(space_of(experiment)) {
         untold_ = starting_outside();
     }
 
@@ -95,11 +94,12 @@ private:
                                     "pairs of cells whose mean rate has no bound, so 'dev' may be {} at most",
                                     name(chemical), values.low, values.high, std::max(0.0, spread.value)));
         }
-        if (lattice_) {
+        if (keeps_places(space_)) {
             return note(true, true,
-                        fmt::format("the diffusion rate {} of '{}' is below 0; on a lattice every difference would "
+                        fmt::format("the diffusion rate {} of '{}' is below 0; {} every difference would "
                                     "grow without end",
-                                    spread.value, name(chemical)));
+                                    spread.value, name(chemical),
+                                    std::holds_alternative<Volume>(space_) ? "in a volume" : "on a lattice"));
         }
         note(true, false,
              fmt::format("the diffusion rate {} of '{}' is below 0; such cells pump towards where there is more, "
@@ -163,7 +163,7 @@ private:
     }
 
     const Experiment& experiment_;
-    bool lattice_;
+    Space space_;
     std::size_t place_ = 0;
     std::vector<std::size_t> untold_;  // of starting_outside() those of which no `use` has told yet
     std::vector<StartFault> found_;

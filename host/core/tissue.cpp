@@ -27,6 +27,7 @@ void check_shape(const Experiment& experiment, const Snapshot& snapshot) {
     check_length("list of mappings", snapshot.mappings.size(), experiment.mappings.size());
     each_cell_column([&](const char* name, const auto& column) { check_length(name, column.size(), cells); }, snapshot);
     if (snapshot.lattice()) check_length("lattice", snapshot.columns * snapshot.rows, cells);
+    if (snapshot.volume()) check_length("volume", snapshot.columns * snapshot.rows * snapshot.layers, cells);
     if (cells == 0) throw Error("the state has no cells");
 }
 
@@ -47,12 +48,13 @@ void check_values(const Experiment& experiment, const Snapshot& snapshot) {
                                     second, snapshot.cells() - 1));
         }
     }
-    for (std::size_t chemical = 0; snapshot.lattice() && chemical < snapshot.diff.size(); ++chemical) {
+    for (std::size_t chemical = 0; snapshot.on_grid() && chemical < snapshot.diff.size(); ++chemical) {
         const auto& rates = snapshot.diff[chemical];
         const auto wrong = std::ranges::find_if(rates, [](double rate) { return rate < 0.0; });
         if (wrong == rates.end()) continue;
-        throw Error(fmt::format("the state has the diffusion rate {} of '{}' in cell {}; on a lattice none is below 0",
-                                *wrong, experiment.chemicals[chemical].name, wrong - rates.begin()));
+        throw Error(fmt::format("the state has the diffusion rate {} of '{}' in cell {}; {} none is below 0", *wrong,
+                                experiment.chemicals[chemical].name, wrong - rates.begin(),
+                                snapshot.volume() ? "in a volume" : "on a lattice"));
     }
 }
 
@@ -67,7 +69,8 @@ Tissue::Tissue(std::shared_ptr<const Experiment> experiment, const Snapshot& ini
     : experiment_(std::move(experiment)),
       iteration_(initial.iteration),
       columns_(initial.columns),
-      rows_(initial.rows) {
+      rows_(initial.rows),
+      layers_(initial.layers) {
     check_state(*experiment_, initial);
 }
 
@@ -101,7 +104,10 @@ void Tissue::take_place(const NewPhase& event) {
     }
 }
 
-void Tissue::take_place(const Expansion&) { throw Error("only a lattice can be expanded; this tissue has free cells"); }
+void Tissue::take_place(const Expansion&) {
+    throw Error(
+        fmt::format("only a lattice can be expanded; this tissue {}", layers_ != 0 ? "is a volume" : "has free cells"));
+}
 
 void Tissue::reshape(std::size_t columns, std::size_t rows, const std::function<void()>& change) {
     if (rows > largest_cell_count / columns) {
@@ -144,13 +150,15 @@ std::optional<NonFinite> Tissue::non_finite() const {
 
 void Tissue::write(const Snapshot& snapshot) {
     check_state(*experiment_, snapshot);
-    if (snapshot.lattice() != (columns_ != 0)) throw Error("a lattice and free cells cannot take each other's state");
+    if (snapshot.volume() != (layers_ != 0)) throw Error("a volume and another space cannot take each other's state");
+    if (snapshot.on_grid() != (columns_ != 0)) throw Error("a lattice and free cells cannot take each other's state");
     lost_ = true;
     do_write(snapshot);
     lost_ = false;
     iteration_ = snapshot.iteration;
     columns_ = snapshot.columns;
     rows_ = snapshot.rows;
+    layers_ = snapshot.layers;
 }
 
 std::unique_ptr<Tissue> Backend::make_tissue(const Experiment& experiment) {

@@ -43,6 +43,7 @@ public:
     std::size_t cells() const { return do_cells(); }
     std::size_t columns() const { return columns_; }  // 0 for free cells
     std::size_t rows() const { return rows_; }
+    std::size_t layers() const { return layers_; }  // 0 but for a volume
 
     // After advance() or write() has failed half-way the state is lost: every call but write() throws Error.
 
@@ -91,6 +92,7 @@ private:
     std::uint64_t iteration_ = 0;
     std::size_t columns_ = 0;
     std::size_t rows_ = 0;
+    std::size_t layers_ = 0;
     bool lost_ = false;  // from the beginning of a change until it has succeeded
 };
 

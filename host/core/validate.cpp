@@ -9,6 +9,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 #include <set>
@@ -31,6 +32,7 @@ public:
         check_stencils();
         for (const Rule& rule : experiment_.rules) check_rule(rule);
         check_charges();
+        check_volume();
         for (const Output& output : experiment_.outputs) check_output(output);
         if (experiment_.outputs.empty()) fail("an experiment needs at least one output");
         if (experiment_.stop_at > largest_iteration)
@@ -41,11 +43,21 @@ public:
 private:
     void check_output(const Output& output) const {
         check_chemical(output.chemical, "an output");
+        if (output.projection) check_projection(*output.projection);
         if (output.expressions.size() > 1 && !output.rgb()) fail("an output draws one expression, or three");
         for (const Expression& expression : output.expressions) {
             check_expression(expression);
             each_operand(expression, [&](const Operand& part) { check_operand(part); });
         }
+    }
+
+    void check_projection(const Projection& projection) const {
+        const auto* volume = std::get_if<Volume>(&space_);
+        if (volume == nullptr) fail("`slice`, `maximum` and `transparent` show a volume; `create volume`");
+        const std::array sides{volume->columns, volume->rows, volume->layers};
+        const std::size_t side = sides[static_cast<std::size_t>(projection.axis)];
+        if (projection.at.value_or(0) >= side)
+            fail(fmt::format("an output shows slice {} of {}; the first one is 0", *projection.at, side));
     }
 
     void check_stencils() const {
@@ -57,6 +69,8 @@ private:
                 if (!std::isfinite(weight)) fail(fmt::format("a weight of stencil '{}' is not finite", stencil.name));
             }
         }
+        if (lattice() != nullptr && of_volumes(lattice()->stencil))
+            fail("a matrix takes a stencil of the plane; seven-point and twenty-seven-point are those of volumes");
         if (lattice() == nullptr || lattice()->stencil != Stencil::own) return;
         const std::size_t weights = lattice()->weights.size();
         if (weights != 9 && weights != 25) fail("a stencil of one's own must have 9 or 25 weights");
@@ -140,21 +154,23 @@ private:
             if (!seen_by_field(part.quantity)) fail("a field reads what changes from iteration to iteration");
             if (part.quantity == Quantity::field && part.index >= place)
                 fail("a field reads one that is defined after it");
-            if (part.quantity == Quantity::random && lattice() == nullptr)
+            if (part.quantity == Quantity::random && !keeps_places(space_))
                 fail("a field of free cells cannot be drawn; RANDOM in a field needs a lattice");
         });
     }
     void check_field(const PictureField&, std::size_t) const {
-        if (lattice() == nullptr) fail("a field from a picture needs a lattice; these are free cells");
+        if (lattice() == nullptr) fail("a field from a picture needs a lattice; " + these_are());
     }
     void check_field(const BlobField& blobs, std::size_t) const {
-        if (lattice() == nullptr) fail("a field of blobs needs a lattice; these are free cells");
+        if (lattice() == nullptr) fail("a field of blobs needs a lattice; " + these_are());
         if (blobs.count > largest_blob_count)
             fail(fmt::format("a field has {} blobs; at most {} are allowed", blobs.count, largest_blob_count));
         if (!(blobs.sigma > 0.0) || !std::isfinite(blobs.sigma)) fail("the sigma of blobs must be above 0");
     }
 
     const Lattice* lattice() const { return std::get_if<Lattice>(&space_); }
+    bool volume() const { return std::holds_alternative<Volume>(space_); }
+    std::string these_are() const { return volume() ? "this is a volume" : "these are free cells"; }
 
     void check_operand(const Operand& operand) const {
         switch (operand.quantity) {
@@ -172,12 +188,21 @@ private:
             case Quantity::gradient_x:
             case Quantity::gradient_y:
                 check_chemical(operand.index, "a rule");
-                if (lattice() == nullptr) fail("laplacian and gradients need a lattice; these are free cells");
+                if (!keeps_places(space_)) fail("laplacian and gradients need a lattice; these are free cells");
+                break;
+            case Quantity::gradient_z:
+                check_chemical(operand.index, "a rule");
+                check_layers();
+                break;
+            case Quantity::z:
+            case Quantity::layer:
+            case Quantity::layers:
+                check_layers();
                 break;
             case Quantity::stencil:
                 check_chemical(operand.index, "a rule");
                 if (operand.stencil >= experiment_.stencils.size()) fail("a rule names a stencil that is not defined");
-                if (lattice() == nullptr) fail("a stencil needs a lattice; these are free cells");
+                if (lattice() == nullptr) fail("a stencil with a name needs a lattice; " + these_are());
                 break;
             case Quantity::field:
                 if (operand.index >= experiment_.fields.size()) fail("a rule reads a field that is not defined");
@@ -190,12 +215,16 @@ private:
             case Quantity::column:
             case Quantity::rows:
             case Quantity::columns:
-                if (lattice() == nullptr)
+                if (!keeps_places(space_))
                     fail("ROW, COLUMN, ROWS and COLUMNS need a lattice; these are free cells (use X and Y)");
                 break;
             default:
                 break;
         }
+    }
+
+    void check_layers() const {
+        if (!volume()) fail("Z, LAYER, LAYERS and gradient_z need a volume; `create volume COLUMNS ROWS LAYERS`");
     }
 
     void check_rule(const Rule& rule) {
@@ -246,7 +275,7 @@ private:
         if (formula.parts.empty()) fail("a formula changes no chemical");
     }
     void check_action(const Rule&, const Neural& neural) const {
-        if (lattice() == nullptr) fail("a neural reaction needs a lattice; these are free cells");
+        if (!keeps_places(space_)) fail("a neural reaction needs a lattice; these are free cells");
         if (neural.network == nullptr) fail("a neural reaction has no network");
         if (neural.species.size() != neural.network->chemicals) {
             fail(fmt::format("the network takes {}; found {}", counted(neural.network->chemicals, "chemical"),
@@ -366,6 +395,31 @@ private:
         if (bounds.floor <= 0.0 && bounds.limit == infinity) return;
         fail(fmt::format("'{}' counts charges or holds potentials; it takes no bounds",
                          experiment_.chemicals[chemical].name));
+    }
+
+    // What a plane alone has: a volume has no polarity, and its cells neither move nor grow in number.
+    void check_volume() {
+        if (!volume()) return;
+        const std::string plane = " belongs to a plane; this is a volume";
+        for (const Rule& rule : experiment_.rules) {
+            line_ = rule.line;
+            if (std::holds_alternative<Polarize>(rule.action)) fail("`polarize`" + plane);
+            if (std::holds_alternative<Divide>(rule.action)) fail("`divide`" + plane);
+            if (std::holds_alternative<Move>(rule.action)) fail("`move`" + plane);
+        }
+        line_ = 0;
+        for (const Chemical& chemical : experiment_.chemicals) {
+            if (chemical.anisotropic) fail(fmt::format("chemical '{}' is anisotropic, which{}", chemical.name, plane));
+            if (chemical.initial)
+                fail(fmt::format("chemical '{}' starts from a picture, which{}", chemical.name, plane));
+        }
+        for (const Statement& statement : experiment_.prepattern) {
+            const auto* set = std::get_if<SetCells>(&statement);
+            if (std::holds_alternative<UsePolarity>(statement) ||
+                (set != nullptr && std::holds_alternative<SetPolarity>(set->what)))
+                fail("polarity" + plane);
+        }
+        if (experiment_.texture) fail("a texture" + plane);
     }
 
     Space space_;

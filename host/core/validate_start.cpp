@@ -24,6 +24,7 @@ public:
             std::visit([&](const auto& one) { check_statement(one); }, statement);
         }
         check_domain(experiment_.domain);
+        check_alone();
         const std::size_t cells = count_cells(experiment_);
         if (cells == 0) fail("no cells are created; `create` some");
         check_size(cells, 1);
@@ -34,6 +35,17 @@ public:
     }
 
 private:
+    // A volume holds all cells.
+    void check_alone() const {
+        std::size_t volumes = 0, others = 0;
+        for (const Statement& statement : experiment_.prepattern) {
+            std::visit(Overloaded{[&](const CreateVolume&) { ++volumes; }, [&](const CreateMatrix&) { ++others; },
+                                  [&](const CreateGrid&) { ++others; }, [&](const CreateCell&) { ++others; },
+                                  [&](const CreateShape&) { ++others; }, [](const auto&) {}},
+                       statement);
+        }
+        if (volumes > 1 || (volumes == 1 && others > 0)) fail("a volume holds all cells; create nothing beside it");
+    }
     void check_start(std::size_t expression) const {
         each_operand(checked_expression(expression, "a start"), [&](const Operand& part) {
             if (!seen_at_start(part.quantity)) fail("a start reads what there is in rules alone");
@@ -68,6 +80,11 @@ private:
     void check_statement(const CreateMatrix& matrix) const {
         check_size(matrix.columns, matrix.rows);
         check_place(matrix.x, matrix.y);
+    }
+    void check_statement(const CreateVolume& volume) const {
+        if (volume.columns == 0 || volume.rows == 0 || volume.layers == 0) fail("a volume has a side without cells");
+        check_size(volume.columns, volume.rows);
+        check_size(volume.columns * volume.rows, volume.layers);
     }
     void check_statement(const CreateShape& shape) const { check_place(shape.x, shape.y); }
     void check_statement(const SetCells& set) const {

@@ -29,6 +29,12 @@ public:
         const auto length = count();
         value.assign(bytes(length, 1), length);
     }
+    void rows(Snapshot& state) {
+        std::uint64_t both = 0;
+        number(both);
+        state.layers = both >> format::layers_shift;
+        state.rows = both - (std::uint64_t{state.layers} << format::layers_shift);
+    }
     void precision(Precision& value) {
         std::uint8_t size = 0;
         number(size);

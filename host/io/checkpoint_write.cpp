@@ -16,6 +16,8 @@ bool same_bits(const std::vector<T>& values) {
     return values.size() > 1 && std::memcmp(values.data(), values.data() + 1, (values.size() - 1) * sizeof(T)) == 0;
 }
 
+namespace format = checkpoint_format;
+
 class CheckpointWriter {
 public:
     explicit CheckpointWriter(AtomicFile& file) : file_(file) {}
@@ -27,6 +29,9 @@ public:
     void text(const std::string& value) {
         number(std::uint64_t{value.size()});
         bytes(value.data(), value.size());
+    }
+    void rows(const Snapshot& state) {
+        number(std::uint64_t{state.rows} | std::uint64_t{state.layers} << format::layers_shift);
     }
     void precision(Precision value) { number(static_cast<std::uint8_t>(value == Precision::double_ ? 8 : 4)); }
 
@@ -71,7 +76,6 @@ struct StateView {
 }  // namespace
 
 void write_checkpoint(const std::filesystem::path& path, const Snapshot& snapshot, const CheckpointInfo& info) {
-    namespace format = checkpoint_format;
     static_assert(sizeof(std::size_t) == 8);
     AtomicFile file(path);
     file.write(format::magic);

@@ -24,8 +24,8 @@ std::string quoted(const std::string& text) {
     return result + '"';
 }
 
-std::string head(const Experiment& experiment) {
-    std::string line = "id,x,y,birth,neighbours,polarity_x,polarity_y";
+std::string head(const Experiment& experiment, bool layers) {
+    std::string line = fmt::format("id,x,y,{}birth,neighbours,polarity_x,polarity_y", layers ? "layer," : "");
     for (const auto& chemical : experiment.chemicals) line += fmt::format(",{}", quoted("conc " + chemical.name));
     for (const auto& chemical : experiment.chemicals) line += fmt::format(",{}", quoted("diff " + chemical.name));
     return line + "\n";
@@ -48,6 +48,7 @@ void append_cell(fmt::memory_buffer& to, const Snapshot& cells, std::size_t i, P
     fmt::format_to(std::back_inserter(to), FMT_COMPILE("{}"), i);
     add(cells.x[i]);
     add(cells.y[i]);
+    if (cells.volume()) fmt::format_to(std::back_inserter(to), FMT_COMPILE(",{}"), i / (cells.columns * cells.rows));
     fmt::format_to(std::back_inserter(to), FMT_COMPILE(",{},{}"), cells.birth[i], cells.neighbours[i]);
     add(cells.polarity_x[i]);
     add(cells.polarity_y[i]);
@@ -62,7 +63,7 @@ void write_csv(const std::filesystem::path& path, const Snapshot& snapshot, cons
                Precision precision) {
     check_shape(snapshot, experiment);
     AtomicFile file(path);
-    file.write(head(experiment));
+    file.write(head(experiment, snapshot.volume()));
     fmt::memory_buffer buffer;
     for (std::size_t i = 0; i < snapshot.cells(); ++i) {
         append_cell(buffer, snapshot, i, precision);

@@ -19,6 +19,7 @@ public:
     Stage(const Experiment& experiment, const Snapshot& state) : space_(space_of(experiment)) {
         scene_.columns = state.columns;
         scene_.rows = state.rows;
+        scene_.layers = state.layers;
         scene_.x = state.x;
         scene_.y = state.y;
         scene_.conc = &state.conc;
@@ -26,6 +27,7 @@ public:
         scene_.state = &state;
         scene_.time = experiment.time_at(state.iteration);
         scene_.lattice = std::get_if<Lattice>(&space_);
+        scene_.volume = std::get_if<Volume>(&space_);
         scene_.stencils = &experiment.stencils;
         scene_.seed = experiment.run_seed();
         scene_.purpose = purpose::output;
@@ -36,9 +38,8 @@ public:
     ~Stage() = default;
 
     void set_fields(const Experiment& experiment, const Snapshot& state) {
-        if (state.lattice()) {
-            const Extent extent{state.columns, state.rows, state.origin_x, state.origin_y};
-            fields_ = field_values(experiment, extent, Precision::double_);
+        if (state.on_grid()) {
+            fields_ = field_values(experiment, extent_of(state), Precision::double_);
             return;
         }
         for (const PlaceField& field : experiment.fields)

@@ -121,6 +121,15 @@ DeepPicture deepened(const Picture& picture) {
     return deep;
 }
 
+Picture shallow(const DeepPicture& picture) {
+    Picture result(picture.columns, picture.rows);
+    for (std::size_t i = 0; i < picture.pixels.size(); ++i) {
+        for (std::size_t k = 0; k < 3; ++k)
+            result.pixels[i][k] = static_cast<std::uint8_t>((picture.pixels[i][k] + 128u) / 257u);
+    }
+    return result;
+}
+
 std::size_t enlargement(std::size_t columns, std::size_t rows) {
     const auto [shorter, longer] = std::minmax(columns, rows);
     if (shorter == 0) return 1;

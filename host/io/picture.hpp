@@ -37,6 +37,7 @@ using DeepPicture = PictureOf<DeepRgb>;                       // 16 bits a chann
 using GreyPicture = PictureOf<std::array<std::uint16_t, 1>>;  // 16 bits, shades of grey
 
 DeepPicture deepened(const Picture&);  // the same colours
+Picture shallow(const DeepPicture&);   // the nearest ones
 
 // Every pixel becomes factor x factor pixels.
 template <class Pixel>

@@ -5,6 +5,7 @@
 #include "io/npy.hpp"
 #include "io/parallel.hpp"
 #include "io/picture.hpp"
+#include "io/projection.hpp"
 #include "io/texture.hpp"
 
 #include <fmt/format.h>
@@ -102,9 +103,11 @@ std::string ResultPlan::picture_name(const std::string& stem, const Output& outp
 void ResultPlan::plan(const FormatRow& row) {
     if (row.format == Format::exr && snapshot_.lattice())
         plan_layers(stem_ + ".exr", snapshot_.columns, snapshot_.rows, {snapshot_.conc.begin(), snapshot_.conc.end()});
+    if (row.format == Format::exr && snapshot_.volume())
+        add(stem_ + ".exr", [this](const auto& path) { write_stack(path); });
     if (row.format == Format::png) plan_pictures();
     if (row.format == Format::npy) plan_arrays();
-    const StateFile& file = snapshot_.lattice() ? row.lattice : row.cells;
+    const StateFile& file = snapshot_.on_grid() ? row.lattice : row.cells;
     if (file.write == nullptr) return;
     add(stem_ + file.ending,
         [this, write = file.write](const auto& path) { write(path, snapshot_, experiment_, options_.precision); });
@@ -130,7 +133,7 @@ void ResultPlan::write_layers(const std::filesystem::path& path, std::size_t col
 void ResultPlan::plan_pictures() {
     plan_picture(main_);
     for (std::size_t i = 0; i < outputs_.size(); ++i) {
-        const bool possible = snapshot_.lattice() || of_colours(outputs_[i]);
+        const bool possible = snapshot_.on_grid() || of_colours(outputs_[i]);
         if (i != main_ && possible) plan_picture(i);
     }
 }
@@ -150,6 +153,7 @@ Drawn ResultPlan::drawn(std::size_t output) const {
 }
 
 void ResultPlan::write_picture(const std::filesystem::path& path, std::size_t index) const {
+    if (snapshot_.volume()) return write_projection(path, index);
     const Output& output = outputs_[index];
     const Drawn drawn = this->drawn(index);
     if (snapshot_.lattice()) {
@@ -165,9 +169,45 @@ void ResultPlan::write_picture(const std::filesystem::path& path, std::size_t in
     write_png(path, picture);
 }
 
+// Of a volume, in the range that all its cells have.
+void ResultPlan::write_projection(const std::filesystem::path& path, std::size_t index) const {
+    const Output& output = outputs_[index];
+    const Drawn drawn = this->drawn(index);
+    const ValueRange range = drawn_range(output, drawn.values(), shared_range(index));
+    const Projection projection = projection_of(output);
+    if (projection.kind == Projection::Kind::transparent) {
+        const Brush brush(output, drawn.columns(), range);
+        const DeepPicture picture = enlarged(transparent_picture(snapshot_, brush, drawn.values(), range),
+                                             enlargement(snapshot_.columns, snapshot_.rows));
+        return options_.deep_png ? write_png(path, picture) : write_png(path, shallow(picture));
+    }
+    const Projected shown = projected(projection, snapshot_, drawn.columns());
+    Surface surface{shown.spans(), shown.columns, shown.rows};
+    surface.wrap = wraps(experiment_);
+    surface.factor = enlargement(shown.columns, shown.rows);
+    write_output(path, surface, output, range, options_.deep_png);
+}
+
+// A channel for each chemical and layer, L0000.NAME, and in Y the middle layer.
+void ResultPlan::write_stack(const std::filesystem::path& path) const {
+    const std::size_t layer = snapshot_.columns * snapshot_.rows;
+    const auto part = [&](std::size_t chemical, std::size_t nth) {
+        return std::span<const double>(snapshot_.conc[chemical]).subspan(nth * layer, layer);
+    };
+    std::vector<ExrChannel> channels;
+    for (std::size_t nth = 0; nth < snapshot_.layers; ++nth) {
+        for (std::size_t i = 0; i < snapshot_.conc.size(); ++i)
+            channels.push_back(
+                {fmt::format("L{:04}.{}", nth, experiment_.chemicals[i].name), part(i, nth), options_.exr_type});
+    }
+    channels.push_back({"Y", part(outputs_[main_].chemical, snapshot_.layers / 2), ExrType::half});
+    write_exr(path, snapshot_.columns, snapshot_.rows, channels, attributes_);
+}
+
 void ResultPlan::plan_arrays() {
-    const auto shape =
-        snapshot_.lattice() ? std::vector{snapshot_.rows, snapshot_.columns} : std::vector{snapshot_.cells()};
+    std::vector<std::size_t> shape{snapshot_.cells()};
+    if (snapshot_.on_grid()) shape = {snapshot_.rows, snapshot_.columns};
+    if (snapshot_.volume()) shape.insert(shape.begin(), snapshot_.layers);
     const auto type = options_.precision == Precision::double_ ? NpyType::float64 : NpyType::float32;
     for (std::size_t i = 0; i < experiment_.chemicals.size(); ++i) {
         add(free_name(stem_, experiment_.chemicals[i].name, ".npy"),

@@ -45,6 +45,8 @@ private:
 
     void write_layers(const std::filesystem::path&, std::size_t columns, std::size_t rows, const Layers&) const;
     void write_picture(const std::filesystem::path&, std::size_t output) const;
+    void write_projection(const std::filesystem::path&, std::size_t output) const;
+    void write_stack(const std::filesystem::path&) const;
     std::optional<ValueRange> shared_range(std::size_t output) const;
     Drawn drawn(std::size_t output) const;
 

@@ -22,6 +22,7 @@ void check_shape(const Snapshot& snapshot, const Experiment& experiment) {
                                 counted(snapshot.conc.size(), "chemical"), snapshot.diff.size(), chemicals));
     }
     if (snapshot.lattice()) check(snapshot.columns * snapshot.rows, "its lattice has places");
+    if (snapshot.volume()) check(snapshot.columns * snapshot.rows * snapshot.layers, "its volume has places");
     each_cell_column([&](const char* name, const auto& column) { check(column.size(), name); }, snapshot);
 }
 

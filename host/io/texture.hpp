@@ -24,7 +24,7 @@ std::vector<Field> interpolate(const Snapshot&, const std::vector<std::vector<do
 // Width and height of a texel of such a texture, in units of cell radius.
 std::array<double, 2> texel_size(const Snapshot&, std::size_t columns, std::size_t rows);
 
-// True when the experiment's lattice is a torus.
+// True when the experiment's lattice or volume is a torus.
 bool wraps(const Experiment&);
 
 }  // namespace pelage

@@ -10,14 +10,15 @@ namespace pelage {
 
 void write_vti(const std::filesystem::path& path, const Snapshot& snapshot, const Experiment& experiment,
                Precision precision) {
-    if (!snapshot.lattice()) throw Error(fmt::format("'{}' cannot be written: free cells are no image", path.string()));
+    if (!snapshot.on_grid()) throw Error(fmt::format("'{}' cannot be written: free cells are no image", path.string()));
     check_shape(snapshot, experiment);
     AtomicFile file(path);
-    const auto extent = fmt::format("0 {} 0 {} 0 0", snapshot.columns, snapshot.rows);
+    const auto extent = fmt::format("0 {} 0 {} 0 {}", snapshot.columns, snapshot.rows, snapshot.layers);
     open_vtk(file, "ImageData", experiment.time_at(snapshot.iteration), snapshot.iteration,
-             fmt::format(R"(WholeExtent="{}" Origin="{} {} 0" Spacing="1 1 1")", extent,
+             fmt::format(R"(WholeExtent="{}" Origin="{} {} {}" Spacing="1 1 1")", extent,
                          (snapshot.origin_x - static_cast<double>(snapshot.columns)) / 2,
-                         (snapshot.origin_y - static_cast<double>(snapshot.rows)) / 2));
+                         (snapshot.origin_y - static_cast<double>(snapshot.rows)) / 2,
+                         (0.0 - static_cast<double>(snapshot.layers)) / 2));
     const auto& first = experiment.chemicals.empty() ? "" : experiment.chemicals[0].name;
     file.write(fmt::format("<Piece Extent=\"{}\">\n<CellData Scalars=\"{}\">\n", extent, xml_escaped(first)));
     for (std::size_t i = 0; i < experiment.chemicals.size(); ++i) {

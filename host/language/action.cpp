@@ -173,11 +173,11 @@ constexpr std::array<ActionWord, 10> actions{{{"react", without_word<parse_react
                                               {"change", without_word<parse_change>},
                                               {"set", without_word<parse_replace>},
                                               {"map", without_word<parse_map>, true},
-                                              {"polarize", without_word<parse_polarize>},
+                                              {"polarize", without_word<parse_polarize>, false, &Script::needs_plane},
                                               {"divide", without_word<parse_divide>, false, &Script::refuses_matrix},
                                               {"move", without_word<parse_move>, false, &Script::refuses_matrix},
                                               {"expand", parse_expand, true, &Script::expands},
-                                              {"aggregate", without_word<parse_aggregate>, true},
+                                              {"aggregate", without_word<parse_aggregate>, true, &Script::needs_plane},
                                               {"and", parse_and}}};
 
 constexpr auto action_words = [] {

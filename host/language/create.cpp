@@ -1,4 +1,4 @@
-// create cell | sqr_grid | sqr_circle | hex_grid | hex_circle | shape | matrix | charges
+// create cell | sqr_grid | sqr_circle | hex_grid | hex_circle | shape | matrix | charges | volume
 #include "core/aggregate.hpp"
 #include "core/prepattern.hpp"
 #include "io/sha256.hpp"
@@ -108,6 +108,7 @@ void create_shape(Script& script, Cursor& cursor, const Token& at) {
 }
 
 constexpr std::array<std::string_view, 3> boundary_words{"no-flux", "wrap", "absorbing"};
+constexpr std::array boundaries{Boundary::no_flux, Boundary::wrap, Boundary::absorbing};
 
 // COLUMNS ROWS [at X Y]
 void create_charges(Script& script, Cursor& cursor, const Token& at) {
@@ -125,7 +126,6 @@ void create_charges(Script& script, Cursor& cursor, const Token& at) {
 void create_matrix(Script& script, Cursor& cursor, const Token& at) {
     static constexpr std::array<std::string_view, 4> words{boundary_words[0], boundary_words[1], boundary_words[2],
                                                            "at"};
-    static constexpr std::array boundaries{Boundary::no_flux, Boundary::wrap, Boundary::absorbing};
     CreateMatrix matrix;
     matrix.columns = parse_size(cursor, "the number of columns");
     matrix.rows = parse_size(cursor, "the number of rows");
@@ -148,13 +148,25 @@ void create_matrix(Script& script, Cursor& cursor, const Token& at) {
     script.create(cursor, at, matrix, matrix.columns * matrix.rows);
 }
 
+// COLUMNS ROWS LAYERS [no-flux | wrap | absorbing]
+void create_volume(Script& script, Cursor& cursor, const Token& at) {
+    CreateVolume volume;
+    volume.columns = parse_size(cursor, "the number of columns");
+    volume.rows = parse_size(cursor, "the number of rows");
+    volume.layers = parse_size(cursor, "the number of layers");
+    const double layer = static_cast<double>(volume.columns) * static_cast<double>(volume.rows);
+    check_product(cursor, at, layer * static_cast<double>(volume.layers));
+    if (!cursor.done()) volume.boundary = boundaries[cursor.choose(boundary_words)];
+    script.create(cursor, at, volume, volume.columns * volume.rows * volume.layers);
+}
+
 }  // namespace
 
 std::vector<std::string_view> words_of_boundaries() { return {boundary_words.begin(), boundary_words.end()}; }
 
 void parse_create(Script& script, Cursor& cursor) {
-    static constexpr std::array<std::string_view, 8> words{"sqr_grid", "sqr_circle", "hex_grid", "hex_circle",
-                                                           "cell",     "shape",      "matrix",   "charges"};
+    static constexpr std::array<std::string_view, 9> words{"sqr_grid", "sqr_circle", "hex_grid", "hex_circle", "cell",
+                                                           "shape",    "matrix",     "charges",  "volume"};
     const Token& at = cursor.peek();
     const std::size_t kind = cursor.choose(words);
     script.outside_phases(cursor, at, "create");
@@ -173,8 +185,10 @@ void parse_create(Script& script, Cursor& cursor) {
             return create_shape(script, cursor, at);
         case 6:
             return create_matrix(script, cursor, at);
-        default:
+        case 7:
             return create_charges(script, cursor, at);
+        default:
+            return create_volume(script, cursor, at);
     }
 }
 

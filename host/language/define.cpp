@@ -18,6 +18,7 @@ constexpr std::array<std::string_view, 6> chemical_words{"limit", "floor", "conc
 struct ChemicalOptions {
     Bounds bounds;
     bool anisotropic = false;
+    const Token* of_polarity = nullptr;  // the word
     PictureOptions picture;
 };
 
@@ -47,8 +48,10 @@ void parse_options(Cursor& cursor, Words words, ChemicalOptions& chemical) {
             parse_channel(cursor, picture);
         else if (word == "from")
             parse_scale(cursor, picture);
-        else
+        else {
             chemical.anisotropic = true;
+            chemical.of_polarity = &token;
+        }
     }
     if (of_picture != nullptr && picture.file == nullptr) {
         cursor.fail(*of_picture, fmt::format("'{}' belongs to a picture; add 'conc \"PICTURE\"'", of_picture->text));
@@ -64,7 +67,7 @@ void check_bounds(const Cursor& cursor, const Token& name, const Bounds& bounds)
 void parse_phase_bounds(Script& script, Cursor& cursor) {
     const Token& name = cursor.peek();
     Bounds& bounds = script.phase().bounds[script.chemical(cursor)];
-    ChemicalOptions options{bounds, false, {}};
+    ChemicalOptions options{bounds, false, nullptr, {}};
     parse_options(cursor, Words(chemical_words).first(2), options);
     check_bounds(cursor, name, options.bounds);
     bounds = options.bounds;
@@ -85,7 +88,9 @@ void parse_chemical(Script& script, Cursor& cursor) {
     check_bounds(cursor, name, options.bounds);
     chemical.bounds = options.bounds;
     chemical.anisotropic = options.anisotropic;
+    if (options.of_polarity != nullptr) script.needs_plane(cursor, *options.of_polarity);
     if (options.picture.file != nullptr) {
+        script.needs_plane(cursor, *options.picture.file);
         chemical.initial = load_picture(script, cursor, options.picture);
         if (chemical.initial) script.shows_picture(cursor, *options.picture.file);
     }
@@ -155,7 +160,8 @@ StencilWeights parse_own_weights(Cursor& cursor, std::size_t count) {
     return weights;
 }
 
-constexpr std::array<std::string_view, 6> stencil_words{"moore", "nine-point", "five-point", "sims", "3x3", "5x5"};
+constexpr std::array<std::string_view, 8> stencil_words{"moore", "nine-point", "five-point",  "sims",
+                                                        "3x3",   "5x5",        "seven-point", "twenty-seven-point"};
 
 void parse_named_stencil(Script& script, Cursor& cursor) {
     static constexpr std::array<std::string_view, 3> sizes{"3x3", "5x5", "7x7"};
@@ -168,18 +174,23 @@ void parse_named_stencil(Script& script, Cursor& cursor) {
     const std::size_t count = counts[cursor.choose(sizes)];
     stencils.push_back({std::string(name.text), cursor.line(), parse_weights(cursor, count)});
     script.needs_lattice(cursor, name);
+    script.needs_plane(cursor, name);
 }
 
 void parse_stencil(Script& script, Cursor& cursor, const Token& word) {
-    static constexpr std::array stencils{Stencil::moore, Stencil::nine_point, Stencil::five_point,
-                                         Stencil::sims,  Stencil::own,        Stencil::own};
+    static constexpr std::array stencils{
+        Stencil::moore, Stencil::nine_point, Stencil::five_point,  Stencil::sims,
+        Stencil::own,   Stencil::own,        Stencil::seven_point, Stencil::twenty_seven_point};
     const std::string_view ahead = cursor.peek_behind().text;
     if (!cursor.done() && (ahead == "3x3" || ahead == "5x5" || ahead == "7x7"))
         return parse_named_stencil(script, cursor);
+    const Token& chosen_word = cursor.peek();
     const std::size_t chosen = cursor.choose(stencil_words);
     script.experiment.stencil = stencils[chosen];
     if (script.experiment.stencil == Stencil::own)
         script.experiment.weights = parse_own_weights(cursor, chosen == 5 ? 25 : 9);
+    if (of_volumes(script.experiment.stencil)) return script.needs_volume(cursor, chosen_word);
+    script.needs_plane(cursor, chosen_word);
     script.needs_matrix(cursor, word);
 }
 

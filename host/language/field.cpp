@@ -32,6 +32,7 @@ PictureField parse_picture(Script& script, Cursor& cursor) {
     field.picture = load_picture(script, cursor, picture);
     field.beside = picture.low;
     script.needs_lattice(cursor, *picture.file);
+    script.needs_plane(cursor, *picture.file);
     return field;
 }
 
@@ -43,6 +44,7 @@ BlobField parse_blobs(Script& script, Cursor& cursor) {
     cursor.expect("sigma");
     blobs.sigma = cursor.number("sigma, in cells", of_sigma);
     script.needs_lattice(cursor, word);
+    script.needs_plane(cursor, word);
     return blobs;
 }
 

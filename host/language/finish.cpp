@@ -61,12 +61,20 @@ void Script::check_arrangement() const {
     const auto refuse = [&](const Demand& demand, std::string_view text) {
         throw error_at(experiment, demand.place, fmt::format("'{}' {}", demand.statement, text));
     };
+    if (volume_) {
+        for (const auto& demand : {needs_plane_, needs_matrix_, refuses_matrix_})
+            if (demand) refuse(*demand, "belongs to a plane; 'create volume' makes a volume");
+    }
+    if (needs_volume_ && !volume_)
+        refuse(*needs_volume_, "belongs to a volume; write 'create volume COLUMNS ROWS LAYERS'");
     if (needs_matrix_ && !matrix_) refuse(*needs_matrix_, "needs a matrix; write 'create matrix COLUMNS ROWS'");
     if (refuses_matrix_ && matrix_)
         refuse(*refuses_matrix_, "needs free cells; the elements of a matrix stay in place");
-    if (needs_lattice_ && std::holds_alternative<FreeCells>(space_of(experiment))) {
-        refuse(*needs_lattice_,
-               "needs a lattice: a matrix, or a single sqr_grid without 'divide' and 'move'; free cells have X and Y");
+    if (needs_lattice_ && !keeps_places(space_of(experiment))) {
+        refuse(
+            *needs_lattice_,
+            "needs a lattice (a matrix, or a single sqr_grid without 'divide' and 'move') or a volume; free cells have "
+            "X and Y");
     }
 }
 
@@ -86,7 +94,7 @@ void Script::check_pictures() const {
 }
 
 void Script::check_maps() const {
-    if (!draws_map_ || experiment.texture || std::holds_alternative<Lattice>(space_of(experiment))) return;
+    if (!draws_map_ || experiment.texture || keeps_places(space_of(experiment))) return;
     throw error_at(experiment, draws_map_->place,
                    "free cells make no height or normal map by themselves; add 'texture size WIDTH HEIGHT'");
 }

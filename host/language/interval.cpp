@@ -49,17 +49,21 @@ public:
             case Quantity::column:
             case Quantity::rows:
             case Quantity::columns:
-                return of_lattice(operand.quantity);
+            case Quantity::layer:
+            case Quantity::layers:
+                return of_grid(operand.quantity);
             case Quantity::concentration:
                 return concentration(operand.index);
             case Quantity::mapping:
                 return mapping(operand.index);
             case Quantity::x:
             case Quantity::y:
+            case Quantity::z:
             case Quantity::rate:
             case Quantity::laplacian:
             case Quantity::gradient_x:
             case Quantity::gradient_y:
+            case Quantity::gradient_z:
             case Quantity::stencil:
             case Quantity::field:
             case Quantity::expression:
@@ -69,16 +73,26 @@ public:
     }
 
 private:
-    Interval of_lattice(Quantity quantity) const {
+    Interval of_grid(Quantity quantity) const {
         const Space space = space_of(experiment_);
-        const auto* lattice = std::get_if<Lattice>(&space);
+        if (!keeps_places(space)) return {0.0, infinity, true};
         const bool grows = std::ranges::any_of(
             experiment_.rules, [](const Rule& rule) { return std::holds_alternative<Expand>(rule.action); });
-        if (lattice == nullptr) return {0.0, infinity, true};
-        const bool vertical = quantity == Quantity::row || quantity == Quantity::rows;
-        const auto size = static_cast<double>(vertical ? lattice->rows : lattice->columns);
-        if (quantity == Quantity::row || quantity == Quantity::column) return {0.0, grows ? infinity : size - 1, true};
+        const bool place = quantity == Quantity::row || quantity == Quantity::column || quantity == Quantity::layer;
+        const auto size = static_cast<double>(side(space, quantity));
+        if (place) return {0.0, grows ? infinity : size - 1, true};
         return {size, grows ? infinity : size, true};
+    }
+
+    static std::size_t side(const Space& space, Quantity quantity) {
+        const auto chosen = [&](std::size_t columns, std::size_t rows, std::size_t layers) {
+            if (quantity == Quantity::layer || quantity == Quantity::layers) return layers;
+            return quantity == Quantity::row || quantity == Quantity::rows ? rows : columns;
+        };
+        if (const auto* volume = std::get_if<Volume>(&space))
+            return chosen(volume->columns, volume->rows, volume->layers);
+        const auto& lattice = std::get<Lattice>(space);
+        return chosen(lattice.columns, lattice.rows, 1);
     }
 
     Interval concentration(std::size_t chemical) const {

@@ -18,7 +18,8 @@ namespace {
 
 bool creates(const Statement& statement) {
     return std::holds_alternative<CreateCell>(statement) || std::holds_alternative<CreateGrid>(statement) ||
-           std::holds_alternative<CreateMatrix>(statement) || std::holds_alternative<CreateShape>(statement);
+           std::holds_alternative<CreateMatrix>(statement) || std::holds_alternative<CreateVolume>(statement) ||
+           std::holds_alternative<CreateShape>(statement);
 }
 
 bool uses(const Statement& statement) {

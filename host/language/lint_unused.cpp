@@ -85,6 +85,7 @@ private:
     void look(const CreateCell&) {}
     void look(const CreateGrid&) {}
     void look(const CreateMatrix&) {}
+    void look(const CreateVolume&) {}
     void look(const CreateShape&) {}
     void look(const Always&) {}
     void look(const Compare& compare) {
@@ -144,13 +145,20 @@ bool equal(const Colormap& one, const Colormap& other) {
     return name == other.name && std::ranges::equal(stops, other.stops, same);
 }
 
+bool equal(const std::optional<Projection>& one, const std::optional<Projection>& other) {
+    if (!one || !other) return !one && !other;
+    const auto& [kind, axis, at] = *one;
+    return kind == other->kind && axis == other->axis && at == other->at;
+}
+
 // A member that is added one day makes this line wrong, and so cannot be forgotten.
 bool equal(const Output& one, const Output& other) {
-    const auto& [chemical, colormap, range, own_range, drawing, strength, expressions, name] = one;
+    const auto& [chemical, colormap, range, own_range, drawing, strength, expressions, name, projection] = one;
     const auto same = [](const Expression& a, const Expression& b) { return a.nodes == b.nodes; };
     return std::ranges::equal(expressions, other.expressions, same) && name == other.name &&
            chemical == other.chemical && equal(colormap, other.colormap) && range == other.range &&
-           own_range == other.own_range && drawing == other.drawing && strength == other.strength;
+           own_range == other.own_range && drawing == other.drawing && strength == other.strength &&
+           equal(projection, other.projection);
 }
 
 }  // namespace

@@ -20,15 +20,18 @@ struct QuantityWord {
     Quantity quantity;
 };
 
-constexpr std::array<QuantityWord, 12> words{{{"NEIGHBORS", Quantity::neighbours},
+constexpr std::array<QuantityWord, 15> words{{{"NEIGHBORS", Quantity::neighbours},
                                               {"AGE", Quantity::age},
                                               {"BIRTH", Quantity::birth},
                                               {"X", Quantity::x},
                                               {"Y", Quantity::y},
+                                              {"Z", Quantity::z},
                                               {"ROW", Quantity::row},
                                               {"COLUMN", Quantity::column},
+                                              {"LAYER", Quantity::layer},
                                               {"ROWS", Quantity::rows},
                                               {"COLUMNS", Quantity::columns},
+                                              {"LAYERS", Quantity::layers},
                                               {"ITERATION", Quantity::iteration},
                                               {"TIME", Quantity::time},
                                               {"RANDOM", Quantity::random}}};
@@ -41,12 +44,13 @@ const QuantityWord* find_word(std::string_view text) {
 
 // Those that take the name of a chemical, in expressions.
 constexpr std::string_view before = "previous";
-constexpr std::array<QuantityWord, 6> of_chemicals{{{"conc", Quantity::concentration},
+constexpr std::array<QuantityWord, 7> of_chemicals{{{"conc", Quantity::concentration},
                                                     {before, Quantity::concentration},
                                                     {"diff", Quantity::rate},
                                                     {"laplacian", Quantity::laplacian},
                                                     {"gradient_x", Quantity::gradient_x},
-                                                    {"gradient_y", Quantity::gradient_y}}};
+                                                    {"gradient_y", Quantity::gradient_y},
+                                                    {"gradient_z", Quantity::gradient_z}}};
 
 const QuantityWord* find_of_chemical(std::string_view text) {
     const auto* const found = std::ranges::find(of_chemicals, text, &QuantityWord::text);
@@ -67,6 +71,16 @@ bool needs_lattice(Quantity quantity) {
         default:
             return false;
     }
+}
+
+bool needs_volume(Quantity quantity) {
+    return quantity == Quantity::z || quantity == Quantity::layer || quantity == Quantity::layers ||
+           quantity == Quantity::gradient_z;
+}
+
+void note_needs(Script& script, const Cursor& cursor, const Token& at, Quantity quantity) {
+    if (needs_lattice(quantity)) script.needs_lattice(cursor, at);
+    if (needs_volume(quantity)) script.needs_volume(cursor, at);
 }
 
 [[noreturn]] void unknown_operand(const Script& script, const Cursor& cursor, std::string_view what) {
@@ -109,7 +123,7 @@ public:
         }
         const Quantity quantity = find_of_chemical(word.text)->quantity;
         check_scope(word, quantity);
-        if (needs_lattice(quantity)) script_.needs_lattice(cursor_, word);
+        note_needs(script_, cursor_, word, quantity);
         if (word.text == before) {
             if (!visible(Quantity::mapping)) cursor_.fail(word, "'previous' is known in rules alone, not at the start");
             return Operand{quantity, 0.0, script_.previous_of(*chemical, cursor_, word)};
@@ -156,13 +170,13 @@ private:
 
     std::optional<Operand> known(const Token& at) const {
         if (const auto chemical = script_.find_chemical(at.text)) return Operand::concentration(*chemical);
-        if (const QuantityWord* word = find_word(at.text)) {
-            if (needs_lattice(word->quantity)) script_.needs_lattice(cursor_, at);
-            return Operand{word->quantity, 0.0, 0};
-        }
         if (const auto mapping = script_.find_mapping(at.text)) return Operand{Quantity::mapping, 0.0, *mapping};
         if (const auto field = script_.find_field(at.text)) return Operand{Quantity::field, 0.0, *field};
         if (const Parameter* parameter = cursor_.parameter(at)) return Operand::number(parameter->value);
+        if (const QuantityWord* word = find_word(at.text)) {
+            note_needs(script_, cursor_, at, word->quantity);
+            return Operand{word->quantity, 0.0, 0};
+        }
         return std::nullopt;
     }
 
@@ -170,6 +184,15 @@ private:
     const Cursor& cursor_;
     Scope scope_;
 };
+
+// Words of volumes alone may be names, too: chemicals of published files may have them.
+bool may_be_name(Quantity quantity) {
+    return quantity == Quantity::z || quantity == Quantity::layer || quantity == Quantity::layers;
+}
+
+bool named_otherwise(const Script& script, const Cursor& cursor, const Token& at) {
+    return script.find_mapping(at.text) || script.find_field(at.text) || cursor.parameter(at) != nullptr;
+}
 
 bool numeric(std::string_view text) {
     const auto first = static_cast<unsigned char>(text.empty() ? '\0' : text[0]);
@@ -203,8 +226,9 @@ Operand parse_operand(Script& script, Cursor& cursor, std::string_view what) {
         cursor.next();
         return cursor.choose(targets) == 0 ? Operand::concentration(*chemical) : Operand::rate(*chemical);
     }
-    if (const QuantityWord* word = find_word(token.text)) {
-        if (needs_lattice(word->quantity)) script.needs_lattice(cursor, token);
+    const QuantityWord* word = find_word(token.text);
+    if (word != nullptr && !named_otherwise(script, cursor, token)) {
+        note_needs(script, cursor, token, word->quantity);
         cursor.next();
         return {word->quantity, 0.0, 0};
     }
@@ -278,7 +302,8 @@ void check_name(const Script& script, const Cursor& cursor, const Token& name, s
                        std::ranges::find(function_table(), text, &FunctionFacts::name) != function_table().end();
     if (what == "stencil" && taken)
         cursor.fail(name, fmt::format("'{}' cannot name a stencil; it is a function", text));
-    if (find_word(text) != nullptr) {
+    const QuantityWord* word_of_rules = find_word(text);
+    if (word_of_rules != nullptr && !may_be_name(word_of_rules->quantity)) {
         cursor.fail(name, fmt::format("'{}' cannot name a {}; it is a word of rules", text, what));
     }
     check_new(script, cursor, name, what);

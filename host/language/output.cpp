@@ -80,7 +80,19 @@ void parse_colormap(Script& script, Cursor& cursor) {
 
 namespace {
 
-constexpr std::array<std::string_view, 5> output_words{"range", "colormap", "height", "normal", "as"};
+constexpr std::array<std::string_view, 8> output_words{"range", "colormap", "height",  "normal",
+                                                       "as",    "slice",    "maximum", "transparent"};
+
+// slice x|y|z AT | maximum | transparent, the first word having been read.
+Projection parse_projection(Cursor& cursor, std::string_view kind) {
+    static constexpr std::array<std::string_view, 3> axes{"x", "y", "z"};
+    if (kind == "maximum") return {Projection::Kind::maximum};
+    if (kind == "transparent") return {Projection::Kind::transparent};
+    Projection slice;
+    slice.axis = static_cast<Axis>(cursor.choose(axes));
+    slice.at = cursor.integer("the place of the slice", 0, largest_cell_count);
+    return slice;
+}
 
 // A name for the picture's file.
 std::string parse_file_word(Cursor& cursor) {
@@ -109,7 +121,10 @@ void parse_range(Cursor& cursor, Output& output) {
 // An option that the kind of picture has no use for.
 void check_option(const Cursor& cursor, const Token& option, const Output& output) {
     const bool normal = output.drawing == Drawing::normal;
-    if (output.rgb() && option.text != "as")
+    if (option.text == "slice" || option.text == "maximum") return;
+    if (option.text == "transparent" && (output.rgb() || output.drawing != Drawing::colours))
+        cursor.fail(option, "a transparent picture shows one value through a colormap");
+    if (output.rgb() && option.text != "as" && option.text != "transparent")
         cursor.fail(option,
                     fmt::format("a picture of red, green and blue has no {}; its expressions do all", option.text));
     if (option.text == "colormap" && output.drawing != Drawing::colours)
@@ -159,6 +174,11 @@ PendingOutput parse_output_options(Script& script, Cursor& cursor) {
             output.strength = cursor.number("the height of one unit, in cells");
         }
         if (*option == 4) output.name = parse_file_word(cursor);
+        if (*option < 5) continue;
+        if (output.projection)
+            cursor.fail(token, "a picture shows a volume in one way; write another 'output' for the other");
+        script.needs_volume(cursor, token);
+        output.projection = parse_projection(cursor, token.text);
     }
     for (const Token* token : given) check_option(cursor, *token, output);
     return pending;
@@ -192,6 +212,7 @@ void parse_output(Script& script, Cursor& cursor) {
 
 void parse_texture(Script& script, Cursor& cursor) {
     constexpr std::uint64_t most = 16384;
+    script.needs_plane(cursor, cursor.peek());
     cursor.expect("size");
     const std::size_t width = cursor.integer("the texture's width", 1, most);
     script.experiment.texture = {width, cursor.integer("the texture's height", 1, most)};

@@ -114,16 +114,18 @@ std::filesystem::path Script::resolve(std::string_view file_name) const {
 
 void Script::create(const Cursor& cursor, const Token& at, const Statement& statement, std::size_t cells) {
     const bool matrix = std::holds_alternative<CreateMatrix>(statement);
-    if (cells_ > 0 && (matrix || matrix_)) {
+    const bool volume = std::holds_alternative<CreateVolume>(statement);
+    if (cells_ > 0 && (matrix || matrix_ || volume || volume_)) {
         cursor.fail(at,
-                    "a matrix holds all cells, and so do charges; give one 'create matrix' or 'create charges' and no "
-                    "other 'create'");
+                    "a matrix holds all cells, and so do charges and a volume; give one 'create matrix', 'create "
+                    "charges' or 'create volume' and no other 'create'");
     }
     if (cells > largest_cell_count - cells_) {
         cursor.fail(at, fmt::format("'{}' makes {} cells; at most {} are allowed", at.text, cells_ + cells,
                                     largest_cell_count));
     }
     matrix_ = matrix_ || matrix;
+    volume_ = volume_ || volume;
     cells_ += cells;
     start(statement, cursor.place(at));
 }
@@ -158,6 +160,10 @@ void note_first(std::optional<Demand>& demand, const Cursor& cursor, const Token
 void Script::needs_matrix(const Cursor& cursor, const Token& at) { note_first(needs_matrix_, cursor, at); }
 
 void Script::needs_lattice(const Cursor& cursor, const Token& at) { note_first(needs_lattice_, cursor, at); }
+
+void Script::needs_plane(const Cursor& cursor, const Token& at) { note_first(needs_plane_, cursor, at); }
+
+void Script::needs_volume(const Cursor& cursor, const Token& at) { note_first(needs_volume_, cursor, at); }
 
 void Script::expands(const Cursor& cursor, const Token& at) {
     needs_matrix(cursor, at);

@@ -107,6 +107,8 @@ public:
     void needs_matrix(const Cursor&, const Token& at);
     void refuses_matrix(const Cursor&, const Token& at);
     void needs_lattice(const Cursor&, const Token& at);
+    void needs_plane(const Cursor&, const Token& at);      // anything but a volume
+    void needs_volume(const Cursor&, const Token& at);     // and nothing else
     void expands(const Cursor&, const Token& at);          // once for each `expand`, in order
     void shows_picture(const Cursor&, const Token& file);  // of the chemical defined next
     void draws_map(const Cursor&, const Token& at);        // a height or normal map
@@ -141,10 +143,13 @@ private:
     std::size_t cells_ = 0;
     Phase before_;
     std::uint64_t phase_end_ = forever;
-    bool matrix_ = false;
+    bool matrix_ = false;  // or charges
+    bool volume_ = false;
     std::optional<Demand> needs_matrix_;
     std::optional<Demand> refuses_matrix_;
     std::optional<Demand> needs_lattice_;
+    std::optional<Demand> needs_plane_;
+    std::optional<Demand> needs_volume_;
     std::vector<Place> expansions_;
     std::vector<Picture> pictures_;
     std::vector<StartPlace> starts_;  // of each statement of the prepattern

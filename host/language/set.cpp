@@ -65,7 +65,11 @@ void parse_set(Script& script, Cursor& cursor) {
     }
     if (cursor.done()) cursor.unknown(cursor.peek(), words);
     Options options(words);
-    while (const auto option = options.next(cursor)) {
+    while (true) {
+        const Token& word = cursor.peek();
+        const auto option = options.next(cursor);
+        if (!option) break;
+        if (*option == 1) script.needs_plane(cursor, word);
         if (*option == 0) {
             do set_chemical(script, cursor, cells);
             while (cursor.take("chemical"));

@@ -81,10 +81,9 @@ void parse_use(Script& script, Cursor& cursor) {
     const std::size_t what = cursor.choose(words);
     if (what == 0) return use_chemical(script, cursor);
     script.outside_phases(cursor, word, fmt::format("use {}", word.text));
-    if (what == 1)
-        script.start(UsePolarity{parse_degrees(cursor)}, cursor.place(word));
-    else
-        script.start(UseSeed{cursor.signed_integer("the seed")}, cursor.place(word));
+    if (what == 2) return script.start(UseSeed{cursor.signed_integer("the seed")}, cursor.place(word));
+    script.needs_plane(cursor, word);
+    script.start(UsePolarity{parse_degrees(cursor)}, cursor.place(word));
 }
 
 }  // namespace pelage::language

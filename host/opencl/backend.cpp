@@ -28,9 +28,10 @@ public:
         if (session_->is_double() && !session_->info().fp64) {
             return fmt::format("device '{}' has no double precision", session_->info().name);
         }
-        return std::visit(Overloaded{[](const Lattice&) { return std::string(); },
-                                     [&](const FreeCells&) { return why_not_cells(experiment); }},
-                          space_of(experiment));
+        return std::visit(
+            Overloaded{[](const Lattice&) { return std::string(); }, [](const Volume&) { return std::string(); },
+                       [&](const FreeCells&) { return why_not_cells(experiment); }},
+            space_of(experiment));
     }
 
     using Backend::make_tissue;

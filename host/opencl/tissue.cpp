@@ -15,6 +15,7 @@ std::unique_ptr<Tissue> make_opencl_tissue(std::shared_ptr<const Session> sessio
                                      return lattice.charges ? make_opencl_aggregate(session, experiment, initial)
                                                             : make_opencl_lattice(session, experiment, initial);
                                  },
+                                 [&](const Volume&) { return make_opencl_lattice(session, experiment, initial); },
                                  [&](const FreeCells&) {
                                      CellsOptions options;
                                      options.search = session->options().neighbours;

@@ -76,6 +76,8 @@ bool number(const std::string& word) {
 LatticeSize lattice_size(const Experiment& experiment) {
     const Space space = space_of(experiment);
     const auto* lattice = std::get_if<Lattice>(&space);
+    if (std::holds_alternative<Volume>(space))
+        throw Error(experiment.source + ": a volume has one kernel, there is nothing to tune; lattices have several");
     if (lattice == nullptr) {
         throw Error(experiment.source +
                     ": free cells have one kernel, there is nothing to tune; lattices have several");

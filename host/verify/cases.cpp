@@ -34,8 +34,17 @@ const char* word(Stencil stencil) {
             return "sims";
         case Stencil::own:
             return "own-weights";
+        case Stencil::seven_point:
+            return "seven-point";
+        case Stencil::twenty_seven_point:
+            return "twenty-seven-point";
     }
     return "?";
+}
+
+std::string Size::text() const {
+    const std::string plane = fmt::format("{} x {}", columns, rows);
+    return layers == 0 ? plane : fmt::format("{} x {}", plane, layers);
 }
 
 std::vector<Size> sharp_sizes() {
@@ -164,7 +173,7 @@ const std::vector<Case>& lattice_cases() {
     static const std::vector<Case> table = [] {
         std::vector<Case> cases;
         for (const auto& part : {diffusion_cases(), reaction_cases(), rate_cases(), rule_cases(), growth_cases(),
-                                 neural_cases(), extreme_cases()}) {
+                                 neural_cases(), extreme_cases(), volume_cases()}) {
             cases.insert(cases.end(), part.begin(), part.end());
         }
         return cases;

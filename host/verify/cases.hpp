@@ -1,4 +1,4 @@
-// One table of lattice experiments, for tests and benchmarks: every case runs on every backend.
+// One table of experiments on lattices and in volumes, for tests and benchmarks: every case runs on every backend.
 #pragma once
 
 #include "core/experiment.hpp"
@@ -15,6 +15,10 @@ namespace pelage::verify {
 struct Size {
     std::size_t columns = 1;
     std::size_t rows = 1;
+    std::size_t layers = 0;  // of a volume
+
+    std::size_t cells() const { return columns * rows * (layers == 0 ? 1 : layers); }
+    std::string text() const;  // "19 x 11"
 };
 
 struct Case {
@@ -28,7 +32,7 @@ struct Case {
 };
 
 // The table, in order of name parts: "diffusion/...", "saturation/...", "reaction/...", "rates/...", "rules/...",
-// "growth/...", "neural/...", "values/...", "sizes/...".
+// "growth/...", "neural/...", "values/...", "sizes/...", "volume/...".
 const std::vector<Case>& lattice_cases();
 
 // The case of that name. Throws std::out_of_range.
@@ -42,6 +46,7 @@ std::vector<Case> rule_cases();
 std::vector<Case> growth_cases();
 std::vector<Case> neural_cases();
 std::vector<Case> extreme_cases();  // saturation, special values, sizes
+std::vector<Case> volume_cases();
 
 // 1x1, lines, tiny rectangles, around a vector's and a work-group's width, primes.
 std::vector<Size> sharp_sizes();

@@ -36,6 +36,14 @@ Lab Lab::wide(std::size_t columns, std::size_t rows, Boundary boundary) {
     return lab;
 }
 
+Lab Lab::volume(std::size_t columns, std::size_t rows, std::size_t layers, Boundary boundary, Stencil stencil) {
+    Lab lab;
+    start(lab.experiment_);
+    lab.experiment_.stencil = stencil;
+    lab.create_ = CreateVolume{columns, rows, layers, boundary};
+    return lab;
+}
+
 Lab Lab::grid(std::size_t columns, std::size_t rows, bool wrap) {
     Lab lab;
     start(lab.experiment_);
@@ -61,6 +69,11 @@ std::size_t Lab::chemical(const std::string& name, Spread conc, Spread diff, Bou
 std::size_t Lab::mapping(const std::string& name) {
     experiment_.mappings.push_back(name);
     return experiment_.mappings.size() - 1;
+}
+
+std::size_t Lab::expression(Expression expression) {
+    experiment_.expressions.push_back(std::move(expression));
+    return experiment_.expressions.size() - 1;
 }
 
 Rule& Lab::rule(Action action, Condition condition) {

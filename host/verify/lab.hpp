@@ -20,12 +20,15 @@ class Lab {
 public:
     static Lab matrix(std::size_t columns, std::size_t rows, Boundary, Stencil = Stencil::nine_point);
     static Lab wide(std::size_t columns, std::size_t rows, Boundary);  // with 25 weights, all different
+    static Lab volume(std::size_t columns, std::size_t rows, std::size_t layers, Boundary,
+                      Stencil = Stencil::seven_point);
     static Lab grid(std::size_t columns, std::size_t rows, bool wrap);
 
     // Number of the new chemical. Deviations make the start uneven.
     std::size_t chemical(const std::string& name, Spread conc, Spread diff, Bounds bounds = {},
                          bool anisotropic = false);
     std::size_t mapping(const std::string& name);
+    std::size_t expression(Expression);
 
     // The new rule, for from, until, every and offset; valid until the next one is added.
     Rule& rule(Action, Condition = Always{});

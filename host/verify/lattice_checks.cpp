@@ -19,12 +19,13 @@ namespace pelage::verify {
 namespace {
 
 constexpr Size small_size{19, 11};  // where the case has none that proves something
+constexpr Size small_volume{7, 6, 5};
 constexpr std::uint64_t small_iterations = 4;
 constexpr std::uint64_t quick_iterations = 50;
 constexpr std::size_t many_sizes = 10;
 
 // The cases that the quick form runs: each kernel path once, in the fewest programs.
-constexpr std::array<std::string_view, 25> quick_cases{"rules/whole-numbers/fused",
+constexpr std::array<std::string_view, 28> quick_cases{"rules/whole-numbers/fused",
                                                        "diffusion/nine-point/no-flux",
                                                        "diffusion/nine-point/wrap",
                                                        "diffusion/nine-point/absorbing",
@@ -48,7 +49,10 @@ constexpr std::array<std::string_view, 25> quick_cases{"rules/whole-numbers/fuse
                                                        "growth/by/wrap",
                                                        "neural/no-flux",
                                                        "values/denormal/published",
-                                                       "sizes/many-rows"};
+                                                       "sizes/many-rows",
+                                                       "volume/diffusion/seven-point/wrap",
+                                                       "volume/diffusion/twenty-seven-point/absorbing",
+                                                       "volume/rules/no-flux"};
 // Of these also with a second work-group size, and on the other paths.
 constexpr std::array<std::string_view, 2> quick_groups{"diffusion/nine-point/no-flux", "diffusion/published/open"};
 constexpr std::array<std::string_view, 2> quick_streamed{"rules/draws/fused", "growth/plain/no-flux"};
@@ -56,6 +60,8 @@ constexpr std::array<std::string_view, 3> quick_shared{"diffusion/nine-point/wra
                                                        "growth/plain/no-flux"};
 constexpr std::array<std::string_view, 2> quick_tiled{"diffusion/nine-point/no-flux",
                                                       "rates/polarized/five-point/absorbing"};
+
+constexpr std::string_view quick_wave = "volume/rules/wrap";
 
 template <class List>
 bool among(const std::string& name, const List& list) {
@@ -71,6 +77,7 @@ std::string kernel_of(const std::string& name) {
     if (begins("neural/")) return "networks";
     if (begins("values/")) return "special values";
     if (begins("sizes/")) return "diffusion";
+    if (begins("volume/")) return "volumes";
     return name.substr(0, name.find('/'));
 }
 
@@ -79,6 +86,22 @@ struct State {
     std::vector<std::uint64_t> strides;
     std::vector<Snapshot> after;  // each stride, by the reference
 };
+
+// The first layer of a volume that differs; 0 elsewhere.
+std::size_t different_layer(const Snapshot& expected, const Snapshot& found, std::size_t chemical) {
+    const auto [place, other] = std::ranges::mismatch(expected.conc[chemical], found.conc[chemical]);
+    const auto cell = static_cast<std::size_t>(place - expected.conc[chemical].begin());
+    return std::min(cell, expected.cells() - 1) /
+           (expected.volume() ? expected.columns * expected.rows : expected.cells());
+}
+
+std::vector<double> layer_of(const Snapshot& state, std::size_t chemical, std::size_t layer) {
+    const std::vector<double>& values = state.conc.at(chemical);
+    if (!state.volume()) return values;
+    const auto size = static_cast<std::ptrdiff_t>(state.columns * state.rows);
+    const auto first = values.begin() + static_cast<std::ptrdiff_t>(layer) * size;
+    return {first, first + size};
+}
 
 Snapshot first_state(const Case& one, const Experiment& experiment, Precision precision) {
     Snapshot state = initial_state(experiment, precision);
@@ -121,15 +144,17 @@ private:
     std::vector<Size> sizes() const {
         if (place_.full() && !fewer_) return case_.sizes;
         if (!place_.small()) return fewer();
-        const auto cells = [](const Size& size) { return size.columns * size.rows; };
+        const auto cells = [](const Size& size) { return size.cells(); };
         std::vector<Size> chosen;
         for (const Size& size : case_.sizes) {
             if (cells(size) <= small_cells) chosen.push_back(size);
         }
         const bool proves = std::ranges::any_of(chosen, [&](const Size& size) { return cells(size) >= enough_cells; });
-        if (!chosen.empty() && !proves) chosen.push_back(small_size);
+        if (!chosen.empty() && !proves) chosen.push_back(in_layers() ? small_volume : small_size);
         return chosen;
     }
+
+    bool in_layers() const { return case_.sizes.front().layers != 0; }
 
     // Of many sizes every second: neighbours in the list are of one kind.
     std::vector<Size> fewer() const {
@@ -143,8 +168,8 @@ private:
         const auto concerns = [&](const Setting& setting) { return setting.precision == precision; };
         if (std::ranges::none_of(settings, concerns)) return;
         const State state = by_reference(experiment, precision);
-        const std::string where = fmt::format("{} x {}", size.columns, size.rows);
-        if (size.columns * size.rows >= enough_cells && precision == Precision::single_) mistrust(state, where);
+        const std::string where = size.text();
+        if (size.cells() >= enough_cells && precision == Precision::single_) mistrust(state, where);
         bool again = !place_.small();  // the first of them twice
         for (const Setting& setting : settings) {
             if (!concerns(setting)) continue;
@@ -195,7 +220,8 @@ private:
         std::size_t chemical = 0;
         while (chemical + 1 < expected.conc.size() && expected.conc[chemical] == found.conc[chemical]) ++chemical;
         outcome_.evidence = Evidence{fmt::format("conc[{}], {}", chemical, when), expected.columns, expected.rows,
-                                     expected.conc.at(chemical), found.conc.at(chemical)};
+                                     layer_of(expected, chemical, different_layer(expected, found, chemical)),
+                                     layer_of(found, chemical, different_layer(expected, found, chemical))};
     }
 
     void mistrust(const State& state, const std::string& where) {
@@ -263,7 +289,7 @@ std::vector<Check> lattice_checks() {
     const auto add = [&](const char* prefix, const char* kernel, Setting setting, const auto& quick) {
         setting.variants = 1;
         for (const Case& one : lattice_cases()) {
-            if (only_weights_differ(one.name)) continue;
+            if (only_weights_differ(one.name) || one.name.starts_with("volume/")) continue;
             const auto run = [&one, setting](Place& place) { return LatticeCheck(one, place, true).run({setting}); };
             checks.push_back({prefix + one.name, kernel, among(one.name, quick), run});
         }
@@ -272,6 +298,14 @@ std::vector<Check> lattice_checks() {
     add("streamed/", "streamed steps", {.path = Path::streamed, .columns = 32}, quick_streamed);
     add("tiled/", "tiled steps", {.path = Path::tiled}, quick_tiled);
     add("shared/", "shared steps", {.path = Path::shared}, quick_shared);
+    // Strips so narrow that the larger volumes have several.
+    for (const Case& one : lattice_cases()) {
+        if (!one.name.starts_with("volume/")) continue;
+        const auto run = [&one](Place& place) {
+            return LatticeCheck(one, place, true).run({{.path = Path::streamed, .variants = 1, .rows = 7, .depth = 3}});
+        };
+        checks.push_back({"streamed/" + one.name, "volumes", one.name == quick_wave, run});
+    }
     return checks;
 }
 

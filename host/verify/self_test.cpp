@@ -26,6 +26,8 @@ namespace {
 
 constexpr std::size_t most_columns = 37;  // more than two vectors of 16
 constexpr std::size_t most_rows = 13;
+constexpr std::size_t most_layers = 7;  // of a volume, whose rows are fewer, too
+constexpr std::size_t most_rows_of_layers = 7;
 constexpr std::size_t most_cells = 90;
 constexpr std::uint64_t few_iterations = 5;
 constexpr double loose = 1e-3;
@@ -33,15 +35,18 @@ constexpr double loose = 1e-3;
 // Which cells of the whole are in the piece, in order of id.
 std::vector<std::size_t> chosen(const Snapshot& whole, const Snapshot& piece) {
     std::vector<std::size_t> cells;
-    if (!whole.lattice()) {
+    if (!whole.on_grid()) {
         for (std::size_t cell = 0; cell < std::min(most_cells, whole.cells()); ++cell) cells.push_back(cell);
         return cells;
     }
     const std::size_t first_column = (whole.columns - piece.columns) / 2;
     const std::size_t first_row = (whole.rows - piece.rows) / 2;
-    for (std::size_t row = 0; row < piece.rows; ++row) {
-        for (std::size_t column = 0; column < piece.columns; ++column) {
-            cells.push_back((first_row + row) * whole.columns + first_column + column);
+    const std::size_t first_layer = (whole.layers - piece.layers) / 2;
+    for (std::size_t layer = 0; layer < std::max<std::size_t>(piece.layers, 1); ++layer) {
+        for (std::size_t row = 0; row < piece.rows; ++row) {
+            const std::size_t line = (first_layer + layer) * whole.rows + first_row + row;
+            for (std::size_t column = 0; column < piece.columns; ++column)
+                cells.push_back(line * whole.columns + first_column + column);
         }
     }
     return cells;
@@ -162,14 +167,15 @@ std::string difference(const OpenclOptions& options, const Experiment& experimen
 Snapshot small_piece(const Snapshot& whole) {
     Snapshot piece = whole;
     piece.columns = std::min(whole.columns, most_columns);
-    piece.rows = std::min(whole.rows, most_rows);
+    piece.rows = std::min(whole.rows, whole.volume() ? most_rows_of_layers : most_rows);
+    piece.layers = std::min(whole.layers, most_layers);
     const std::vector<std::size_t> cells = chosen(whole, piece);
     each_cell_column([&](const char*, auto& column) { column = picked(column, cells); }, piece);
     std::erase_if(piece.mirrors,
                   [&](const auto& pair) { return pair.first >= cells.size() || pair.second >= cells.size(); });
-    for (std::size_t cell = 0; piece.lattice() && cell < cells.size(); ++cell) {
+    for (std::size_t cell = 0; piece.on_grid() && cell < cells.size(); ++cell) {
         piece.x[cell] = centre(piece.origin_x, cell % piece.columns, piece.columns);
-        piece.y[cell] = centre(piece.origin_y, cell / piece.columns, piece.rows);
+        piece.y[cell] = centre(piece.origin_y, cell / piece.columns % piece.rows, piece.rows);
     }
     return piece;
 }
@@ -179,7 +185,7 @@ std::string self_test(const OpenclOptions& options, const Experiment& experiment
     const DeviceInfo device = select_device(options.device);
     const bool charges = has_charges(experiment);
     std::optional<LatticeForms> lattice;
-    if (initial.lattice() && !charges) lattice.emplace(options, device, experiment, initial);
+    if (initial.on_grid() && !charges) lattice.emplace(options, device, experiment, initial);
     Snapshot start = small_piece(initial);
     if (charges) give_charges(experiment, start);
     const auto forms = [&](std::uint64_t iteration) {

@@ -105,7 +105,8 @@ PELAGE_LOOSE(intv, int)
 #define ALL_FALSE ((mask)(0))
 
 // Whole numbers that rules read, from 0 to 2^32 - 1, as comparisons take them: exactly. The others are
-// the kernel's: WHOLE_NEIGHBOURS, WHOLE_AGE, WHOLE_BIRTH, WHOLE_ROW, WHOLE_COLUMN, WHOLE_ROWS, WHOLE_COLUMNS.
+// the kernel's: WHOLE_NEIGHBOURS, WHOLE_AGE, WHOLE_BIRTH, WHOLE_ROW, WHOLE_COLUMN, WHOLE_LAYER, WHOLE_ROWS,
+// WHOLE_COLUMNS, WHOLE_LAYERS.
 #define WHOLE_ITERATION ((uintv)(iteration))
 #define W(n) ((uintv)(n))
 

@@ -118,6 +118,7 @@ static inline real pelage_mean(global const scalar* means, long plane, long at, 
 // What rules read of the neighbours of chemical i: the laplacian in cells, half of what lies between both sides.
 #define LOOK_LAPLACIAN(i) lap##i = SELECT(MEETS, fma(neighbour_share, THEIRS(a##i) - c##i, lap##i), lap##i);
 
+#ifndef LOOK_GRADIENT
 #define LOOK_GRADIENT(i)                                                                       \
     if (BESIDE && !diagonal) {                                                                 \
         const real half_step = (THEIRS(a##i) - c##i) * R((scalar)0.5f);                        \
@@ -125,6 +126,7 @@ static inline real pelage_mean(global const scalar* means, long plane, long at, 
         if (up == 0) slope_x##i = SELECT(MEETS, slope_x##i + signed_step, slope_x##i);         \
         else slope_y##i = SELECT(MEETS, slope_y##i + signed_step, slope_y##i);                 \
     }
+#endif
 
 #define GRADIENT(i)                                                      \
     if (BESIDE) {                                                        \

@@ -4,9 +4,11 @@
 #include "core/subnormal.hpp"
 #include "reference/lattice/stencil.hpp"
 #include "reference/neighbours/gather.hpp"
+#include "reference/volume/stencil.hpp"
 
 #include <array>
 #include <cmath>
+#include <cstdlib>
 
 namespace pelage::reference {
 
@@ -128,8 +130,15 @@ void diffuse_uniform(const Medium& medium, std::size_t chemical, T dt, const Sta
         return;
     }
     std::vector<T> sums;
-    laplacian(medium.lattice, old.conc[chemical], sums);
-    const T share = (rate * dt) / laplacian_divisor<T>(medium.lattice.stencil);
+    T divisor;
+    if (medium.volume) {
+        laplacian(*medium.volume, old.conc[chemical], sums);
+        divisor = laplacian_divisor<T>(medium.volume->stencil);
+    } else {
+        laplacian(medium.lattice, old.conc[chemical], sums);
+        divisor = laplacian_divisor<T>(medium.lattice.stencil);
+    }
+    const T share = (rate * dt) / divisor;
     std::vector<T>& values = next.conc[chemical];
     for (std::size_t cell = 0; cell < values.size(); ++cell) values[cell] = std::fma(share, sums[cell], values[cell]);
 }
@@ -196,11 +205,14 @@ std::vector<T> laplacian_of(const Medium& medium, const std::vector<T>& values) 
 }
 
 template <class T>
-std::vector<T> gradient_of(const Medium& medium, bool up, const std::vector<T>& values) {
+std::vector<T> gradient_of(const Medium& medium, Axis axis, const std::vector<T>& values) {
     return summed(medium.adjacency, values, [&](T sum, std::size_t entry, T difference) {
         const Direction to = medium.adjacency.directions[entry];
-        if (!is_beside(to) || (up ? to.right : to.up) != 0) return sum;
-        return (up ? to.up : to.right) < 0 ? sum - difference * T(0.5) : sum + difference * T(0.5);
+        const std::array steps{to.right, to.up, to.deep};
+        const int along = steps[static_cast<std::size_t>(axis)];
+        const int off = std::abs(to.right) + std::abs(to.up) + std::abs(to.deep) - std::abs(along);
+        if (!is_beside(to) || along == 0 || off != 0) return sum;
+        return along < 0 ? sum - difference * T(0.5) : sum + difference * T(0.5);
     });
 }
 
@@ -226,7 +238,7 @@ std::vector<T> stencil_of(const Medium& medium, const NamedStencil& stencil, con
 
 #define PELAGE_INSTANTIATE(T)                                                                        \
     template std::vector<T> laplacian_of(const Medium&, const std::vector<T>&);                      \
-    template std::vector<T> gradient_of(const Medium&, bool, const std::vector<T>&);                 \
+    template std::vector<T> gradient_of(const Medium&, Axis, const std::vector<T>&);                 \
     template std::vector<T> stencil_of(const Medium&, const NamedStencil&, const std::vector<T>&);   \
     template void diffuse_uniform(const Medium&, std::size_t, T, const State<T>&, State<T>&);        \
     template void diffuse_per_cell(const Medium&, std::size_t, bool, T, const State<T>&, State<T>&); \

@@ -1,4 +1,4 @@
-// Diffusion from neighbour to neighbour, and the gradient that polarity follows.
+// Diffusion on a lattice or in a volume, from neighbour to neighbour, and the gradient that polarity follows.
 #pragma once
 
 #include "core/adjacency.hpp"
@@ -6,6 +6,7 @@
 #include "reference/rules/state.hpp"
 
 #include <cstddef>
+#include <optional>
 #include <vector>
 
 namespace pelage::reference {
@@ -13,13 +14,14 @@ namespace pelage::reference {
 struct Medium {  // what diffusion runs through
     Lattice lattice;
     LatticeAdjacency adjacency;
+    std::optional<Volume> volume = std::nullopt;  // in place of the lattice
 };
 
 // See Ground.
 template <class T>
 std::vector<T> laplacian_of(const Medium&, const std::vector<T>& values);
 template <class T>
-std::vector<T> gradient_of(const Medium&, bool up, const std::vector<T>& values);
+std::vector<T> gradient_of(const Medium&, Axis, const std::vector<T>& values);
 template <class T>
 std::vector<T> stencil_of(const Medium&, const NamedStencil&, const std::vector<T>& values);
 

@@ -92,6 +92,7 @@ void laplacian(const Lattice& lattice, const std::vector<T>& field, std::vector<
 
 template <class T>
 T laplacian_divisor(Stencil stencil) {
+    if (stencil == Stencil::twenty_seven_point) return T(30);
     return stencil == Stencil::nine_point ? T(6) : stencil == Stencil::sims ? T(20) : T(1);
 }
 

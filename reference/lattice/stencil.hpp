@@ -13,7 +13,7 @@ namespace pelage::reference {
 template <class T>
 void laplacian(const Lattice&, const std::vector<T>& field, std::vector<T>& sums);
 
-// 6 for nine_point, 20 for sims, 1 for the others.
+// 6 for nine_point, 20 for sims, 30 for twenty_seven_point, 1 for the others.
 template <class T>
 T laplacian_divisor(Stencil);
 

@@ -1,4 +1,4 @@
-// One iteration of a lattice after another: rules, diffusion, what rules set, bounds, polarity.
+// One iteration of a lattice or a volume after another: rules, diffusion, what rules set, bounds, polarity.
 #include "reference/lattice/tissue.hpp"
 
 #include "core/fields.hpp"
@@ -27,8 +27,8 @@ public:
     explicit LatticeGround(const Medium& medium) : medium_(medium) {}
 
     std::vector<T> laplacian(const std::vector<T>& values) const override { return laplacian_of(medium_, values); }
-    std::vector<T> gradient(const std::vector<T>& values, bool up) const override {
-        return gradient_of(medium_, up, values);
+    std::vector<T> gradient(const std::vector<T>& values, Axis axis) const override {
+        return gradient_of(medium_, axis, values);
     }
     std::vector<T> stencil(const NamedStencil& stencil, const std::vector<T>& values) const override {
         return stencil_of(medium_, stencil, values);
@@ -88,9 +88,14 @@ private:
         medium_.lattice = plan_;
         medium_.lattice.columns = state_.columns;
         medium_.lattice.rows = state_.rows;
-        medium_.adjacency = lattice_adjacency(medium_.lattice);
+        if (plan_.volume()) {
+            medium_.volume = plan_.as_volume();
+            medium_.adjacency = volume_adjacency(*medium_.volume);
+        } else {
+            medium_.adjacency = lattice_adjacency(medium_.lattice);
+        }
         constexpr Precision precision = std::is_same_v<T, float> ? Precision::single_ : Precision::double_;
-        const Extent extent{state_.columns, state_.rows, state_.origin_x, state_.origin_y};
+        const Extent extent{state_.columns, state_.rows, state_.origin_x, state_.origin_y, state_.layers};
         ground_.fields.clear();
         for (const std::vector<double>& values : field_values(experiment(), extent, precision))
             ground_.fields.emplace_back(values.begin(), values.end());

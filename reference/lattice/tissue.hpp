@@ -1,4 +1,4 @@
-// Lattice tissues on the reference.
+// Tissues of lattices and volumes on the reference.
 #pragma once
 
 #include "core/tissue.hpp"
@@ -7,7 +7,7 @@
 
 namespace pelage {
 
-// Throws Error when the experiment is not a lattice.
+// Throws Error for free cells.
 std::unique_ptr<Tissue> make_reference_lattice(std::shared_ptr<const Experiment>, const Snapshot& initial, Precision);
 
 }  // namespace pelage

@@ -19,9 +19,9 @@ public:
     // For each cell, of values of all cells: the sum over its neighbours, each with its share of the stencil, of theirs
     // less the cell's own.
     virtual std::vector<T> laplacian(const std::vector<T>&) const { throw Error("free cells have no laplacian"); }
-    // Half of what lies between the values on either side, or above and below, where a neighbour that is not there has
-    // the cell's own.
-    virtual std::vector<T> gradient(const std::vector<T>&, [[maybe_unused]] bool up) const {
+    // Half of what lies between the values on either side along that axis, where a neighbour that is not there has the
+    // cell's own.
+    virtual std::vector<T> gradient(const std::vector<T>&, Axis) const {
         throw Error("free cells have no gradient along rows and columns");
     }
     // For each cell the sum of the weights times the values of the cells around, from the lower left on; weights of 0

@@ -1,6 +1,7 @@
 // Evaluates operands for all cells at once.
 #include "reference/rules/operands.hpp"
 
+#include "core/fields.hpp"
 #include "core/philox.hpp"
 #include "core/subnormal.hpp"
 
@@ -31,6 +32,7 @@ Column<N> whole_column(const Sight<T>& sight, Quantity quantity) {
     const State<T>& old = sight.old;
     const std::size_t cells = old.cells();
     const std::size_t columns = old.columns == 0 ? 1 : old.columns;
+    const std::size_t rows = old.rows == 0 ? 1 : old.rows;
     const std::size_t lattice = old.columns == 0 ? 0 : 1;
     switch (quantity) {
         case Quantity::neighbours:
@@ -40,9 +42,13 @@ Column<N> whole_column(const Sight<T>& sight, Quantity quantity) {
         case Quantity::birth:
             return of_each<N>(cells, [&](auto cell) { return old.birth[cell]; });
         case Quantity::row:
-            return of_each<N>(cells, [&](auto cell) { return cell / columns * lattice; });
+            return of_each<N>(cells, [&](auto cell) { return cell / columns % rows * lattice; });
         case Quantity::column:
             return of_each<N>(cells, [&](auto cell) { return cell % columns * lattice; });
+        case Quantity::layer:
+            return of_each<N>(cells, [&](auto cell) { return cell / columns / rows * lattice; });
+        case Quantity::layers:
+            return Column<N>(static_cast<N>(old.layers));
         case Quantity::rows:
             return Column<N>(static_cast<N>(old.rows));
         case Quantity::columns:
@@ -62,6 +68,11 @@ Column<T> Sight<T>::column(const Operand& operand) {
             return Column<T>(old.x);
         case Quantity::y:
             return Column<T>(old.y);
+        case Quantity::z: {
+            const std::vector<double> z = centres(0.0, old.layers);
+            const std::size_t layer = old.columns * old.rows;
+            return of_each<T>(old.cells(), [&](auto cell) { return z.empty() ? 0.0 : z[cell / layer]; });
+        }
         case Quantity::random: {
             const std::uint32_t nth = randoms++;
             const std::uint32_t purpose = purpose::operand + 16 * (nth / 4);
@@ -80,8 +91,11 @@ Column<T> Sight<T>::column(const Operand& operand) {
         case Quantity::laplacian:
             return Column<T>(ground.laplacian(old.conc[operand.index]));
         case Quantity::gradient_x:
+            return Column<T>(ground.gradient(old.conc[operand.index], Axis::x));
         case Quantity::gradient_y:
-            return Column<T>(ground.gradient(old.conc[operand.index], operand.quantity == Quantity::gradient_y));
+            return Column<T>(ground.gradient(old.conc[operand.index], Axis::y));
+        case Quantity::gradient_z:
+            return Column<T>(ground.gradient(old.conc[operand.index], Axis::z));
         case Quantity::stencil:
             return Column<T>(ground.stencil(experiment.stencils[operand.stencil], old.conc[operand.index]));
         case Quantity::field:

@@ -28,6 +28,7 @@ To convert(const From& from) {
     To to;
     to.columns = from.columns;
     to.rows = from.rows;
+    to.layers = from.layers;
     to.origin_x = from.origin_x;
     to.origin_y = from.origin_y;
     to.conc = cast_all<Number>(from.conc);

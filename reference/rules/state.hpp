@@ -10,11 +10,12 @@
 
 namespace pelage::reference {
 
-// Cells in id order; on a lattice id = row * columns + column. Lengths in units of cell radius.
+// Cells in id order; ids as in core/snapshot.hpp. Lengths in units of cell radius.
 template <class T>
 struct State {
     std::size_t columns = 0;  // 0 for free cells
     std::size_t rows = 0;
+    std::size_t layers = 0;  // of a volume
     double origin_x = 0.0;
     double origin_y = 0.0;
 

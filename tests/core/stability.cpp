@@ -25,8 +25,8 @@ double eigenvalue(Stencil stencil, double p, double q) {
             return 4 - edges;
         case Stencil::sims:
             return 1 - 0.2 * edges - 0.05 * corners;
-        case Stencil::own:
-            break;
+        default:
+            break;  // of one's own, and of volumes: reference/volume.cpp
     }
     return 0;
 }

@@ -198,8 +198,8 @@ TEST_CASE("an expression is refused where its values cannot be known or its valu
         {grid, "rule always react U by (V) U by 2", "t.pex:4:28: 'U' is given twice; its rate must be one expression"},
         {grid, "rule always react U by", "(the operand)"},
         {"define chemical U\n", "create hex_circle 2\nrule always change U conc (laplacian(U))",
-         "t.pex:3:28: 'laplacian' needs a lattice: a matrix, or a single sqr_grid without 'divide' and 'move'; free "
-         "cells have X and Y"},
+         "t.pex:3:28: 'laplacian' needs a lattice (a matrix, or a single sqr_grid without 'divide' and 'move') or a "
+         "volume; free cells have X and Y"},
     };
     for (const ErrorCase& one : cases) {
         if (one.message == "(the operand)") {
@@ -230,8 +230,8 @@ TEST_CASE("malformed expressions say where and what is allowed") {
         {"()", 28, "')' cannot stand here; a value must: a number, a name, a function or '('"},
         {"(1 + * 2)", 32, "'*' cannot stand here; a value must: a number, a name, a function or '('"},
         {"(U + q)", 32,
-         "unknown name 'q' in an expression; known here: U, V, NEIGHBORS, AGE, BIRTH, X, Y, ROW, COLUMN, ROWS, "
-         "COLUMNS, ITERATION, TIME, RANDOM, if, and, or, not, PI, and functions"},
+         "unknown name 'q' in an expression; known here: U, V, NEIGHBORS, AGE, BIRTH, X, Y, Z, ROW, COLUMN, LAYER, "
+         "ROWS, COLUMNS, LAYERS, ITERATION, TIME, RANDOM, if, and, or, not, PI, and functions"},
         {"(exp(U, V))", 33, "exp(x) takes 1 value"},
         {"(exp())", 32, "exp(x) takes 1 value"},
         {"(1/0)", 29, "'/' gives inf here, which no number of a run can be"},
@@ -251,8 +251,8 @@ TEST_CASE("malformed expressions say where and what is allowed") {
         {"(if(U, 1))", 35, "if(TRUTH, VALUE, OTHERWISE) takes 3 values"},
         {"(if(U, 1, 2, 3))", 38, "if(TRUTH, VALUE, OTHERWISE) takes 3 values"},
         {"(a = 3)", 28,
-         "unknown name 'a' in an expression; known here: U, V, NEIGHBORS, AGE, BIRTH, X, Y, ROW, COLUMN, ROWS, "
-         "COLUMNS, ITERATION, TIME, RANDOM, if, and, or, not, PI, and functions"},
+         "unknown name 'a' in an expression; known here: U, V, NEIGHBORS, AGE, BIRTH, X, Y, Z, ROW, COLUMN, LAYER, "
+         "ROWS, COLUMNS, LAYERS, ITERATION, TIME, RANDOM, if, and, or, not, PI, and functions"},
         {"(U = 3)", 30, "'=' follows a value; an operator or ')' must; equality is '=='"},
         {"(U V)", 30, "'V' follows a value; an operator or ')' must"},
         {"(U 2)", 30, "'2' follows a value; an operator or ')' must"},
@@ -293,11 +293,13 @@ TEST_CASE("malformed expressions say where and what is allowed") {
         {"(PI PI)", 31, "'PI' follows a value; an operator or ')' must"},
         {"(1 if 2)", 30, "'if' follows a value; an operator or ')' must"},
         {"(random)", 28,
-         "unknown name 'random' in an expression; known here: U, V, NEIGHBORS, AGE, BIRTH, X, Y, ROW, COLUMN, ROWS, "
-         "COLUMNS, ITERATION, TIME, RANDOM, if, and, or, not, PI, and functions; did you mean 'RANDOM'?"},
+         "unknown name 'random' in an expression; known here: U, V, NEIGHBORS, AGE, BIRTH, X, Y, Z, ROW, COLUMN, "
+         "LAYER, ROWS, COLUMNS, LAYERS, ITERATION, TIME, RANDOM, if, and, or, not, PI, and functions; did you mean "
+         "'RANDOM'?"},
         {"(iteration)", 28,
-         "unknown name 'iteration' in an expression; known here: U, V, NEIGHBORS, AGE, BIRTH, X, Y, ROW, COLUMN, ROWS, "
-         "COLUMNS, ITERATION, TIME, RANDOM, if, and, or, not, PI, and functions; did you mean 'ITERATION'?"},
+         "unknown name 'iteration' in an expression; known here: U, V, NEIGHBORS, AGE, BIRTH, X, Y, Z, ROW, COLUMN, "
+         "LAYER, ROWS, COLUMNS, LAYERS, ITERATION, TIME, RANDOM, if, and, or, not, PI, and functions; did you mean "
+         "'ITERATION'?"},
         {"(TIME.)", 32, "'.' follows a value; an operator or ')' must"},
         {"(U; V)", 29, "';' follows a value; an operator or ')' must"},
         {"([U])", 28, "'[' cannot stand here; a value must: a number, a name, a function or '('"},
@@ -311,7 +313,7 @@ TEST_CASE("malformed expressions say where and what is allowed") {
     }
     CHECK_THAT(message_of(grid + "rule always change U conc (sinn(U))"),
                Catch::StartsWith("t.pex:4:28: unknown function 'sinn'; there are: conc, previous, diff, laplacian, "
-                                 "gradient_x, gradient_y, if, abs, ") &&
+                                 "gradient_x, gradient_y, gradient_z, if, abs, ") &&
                    Catch::EndsWith("; did you mean 'sin'?"));
 }
 

@@ -42,16 +42,19 @@ TEST_CASE("malformed rules say where and what is allowed") {
         {grid, "rule if U conc = 1 and", "t.pex:4:16: unknown word '='; allowed here: ==, !=, <, <=, >, >=, in"},
         {grid, "rule if U > 1 and", "t.pex:4:11: unknown word '>'; allowed here: conc, diff"},
         {grid, "rule if W conc > 1 and",
-         "t.pex:4:9: unknown name 'W'; the value compared must be one of: a number, NEIGHBORS, AGE, BIRTH, X, Y, ROW, "
-         "COLUMN, ROWS, COLUMNS, ITERATION, TIME, RANDOM, conc or diff of a chemical (U, V), an expression in "
+         "t.pex:4:9: unknown name 'W'; the value compared must be one of: a number, NEIGHBORS, AGE, BIRTH, X, Y, Z, "
+         "ROW, COLUMN, LAYER, ROWS, COLUMNS, LAYERS, ITERATION, TIME, RANDOM, conc or diff of a chemical (U, V), an "
+         "expression in "
          "parentheses"},
         {grid, "rule if U conc > and",
          "t.pex:4:18: unknown name 'and'; the value compared with must be one of: a number, NEIGHBORS, AGE, BIRTH, X, "
-         "Y, ROW, COLUMN, ROWS, COLUMNS, ITERATION, TIME, RANDOM, conc or diff of a chemical (U, V), an expression in "
+         "Y, Z, ROW, COLUMN, LAYER, ROWS, COLUMNS, LAYERS, ITERATION, TIME, RANDOM, conc or diff of a chemical (U, V), "
+         "an expression in "
          "parentheses"},
         {grid, "rule if U conc in 1 and",
          "t.pex:4:21: unknown name 'and'; the interval's high end must be one of: a number, NEIGHBORS, AGE, BIRTH, X, "
-         "Y, ROW, COLUMN, ROWS, COLUMNS, ITERATION, TIME, RANDOM, conc or diff of a chemical (U, V), an expression in "
+         "Y, Z, ROW, COLUMN, LAYER, ROWS, COLUMNS, LAYERS, ITERATION, TIME, RANDOM, conc or diff of a chemical (U, V), "
+         "an expression in "
          "parentheses"},
         {grid, "rule probability 1.5 and",
          "t.pex:4:18: '1.5' is out of range; the probability must be a number from 0 to 1"},
@@ -79,8 +82,9 @@ TEST_CASE("malformed rules say where and what is allowed") {
         {grid, "rule always change U 1", "t.pex:4:22: unknown word '1'; allowed here: conc, diff"},
         {grid, "rule always change U conc ++1", "t.pex:4:27: '++1' is not a number; the amount must be a number"},
         {grid, "rule always set U conc",
-         "t.pex:4:23: the line ends too early; the value must be one of: a number, NEIGHBORS, AGE, BIRTH, X, Y, ROW, "
-         "COLUMN, ROWS, COLUMNS, ITERATION, TIME, RANDOM, conc or diff of a chemical (U, V), an expression in "
+         "t.pex:4:23: the line ends too early; the value must be one of: a number, NEIGHBORS, AGE, BIRTH, X, Y, Z, "
+         "ROW, COLUMN, LAYER, ROWS, COLUMNS, LAYERS, ITERATION, TIME, RANDOM, conc or diff of a chemical (U, V), an "
+         "expression in "
          "parentheses"},
         {grid, "rule always map U conc 1 1 to BETA 0 1",
          "t.pex:4:26: the interval is empty; 'map' needs two different ends"},
@@ -90,14 +94,16 @@ TEST_CASE("malformed rules say where and what is allowed") {
         {grid, "rule always map U conc 0 1 to AGE 0 1",
          "t.pex:4:31: 'AGE' cannot name a mapping; it is a word of rules"},
         {grid, "rule always change U conc BETA",
-         "t.pex:4:27: unknown name 'BETA'; the amount must be one of: a number, NEIGHBORS, AGE, BIRTH, X, Y, ROW, "
-         "COLUMN, ROWS, COLUMNS, ITERATION, TIME, RANDOM, conc or diff of a chemical (U, V), an expression in "
+         "t.pex:4:27: unknown name 'BETA'; the amount must be one of: a number, NEIGHBORS, AGE, BIRTH, X, Y, Z, ROW, "
+         "COLUMN, LAYER, ROWS, COLUMNS, LAYERS, ITERATION, TIME, RANDOM, conc or diff of a chemical (U, V), an "
+         "expression in "
          "parentheses"},
         {grid, "rule always polarize U diff", "t.pex:4:24: unknown word 'diff'; allowed here: conc"},
         {grid, "rule always divide angle 90", "t.pex:4:20: unknown word 'angle'; allowed here: direction"},
         {grid, "rule always move",
-         "t.pex:4:17: the line ends too early; the distance must be one of: a number, NEIGHBORS, AGE, BIRTH, X, Y, "
-         "ROW, COLUMN, ROWS, COLUMNS, ITERATION, TIME, RANDOM, conc or diff of a chemical (U, V), an expression in "
+         "t.pex:4:17: the line ends too early; the distance must be one of: a number, NEIGHBORS, AGE, BIRTH, X, Y, Z, "
+         "ROW, COLUMN, LAYER, ROWS, COLUMNS, LAYERS, ITERATION, TIME, RANDOM, conc or diff of a chemical (U, V), an "
+         "expression in "
          "parentheses"},
         {grid, "rule always expand columns 1",
          "t.pex:4:13: 'expand' needs a matrix; write 'create matrix COLUMNS ROWS'"},
@@ -128,7 +134,8 @@ TEST_CASE("malformed rules say where and what is allowed") {
         {matrix, "rule always expand columns 1000 rows 1000",
          "t.pex:4:13: the matrix grows to 10000020 x 10000010 elements; at most 2147483647 cells are allowed"},
         {grid, "rule always divide\nrule if ROW == 3 and",
-         "t.pex:5:9: 'ROW' needs a lattice: a matrix, or a single sqr_grid without 'divide' and 'move'; free cells "
+         "t.pex:5:9: 'ROW' needs a lattice (a matrix, or a single sqr_grid without 'divide' and 'move') or a volume; "
+         "free cells "
          "have X and Y"},
     };
 

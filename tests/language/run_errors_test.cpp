@@ -82,9 +82,8 @@ TEST_CASE("malformed phases, snapshots and outputs say where and what is allowed
         {grid, "output U\noutput (U)\noutput (V)",
          "t.pex:6:8: the picture final.formula.png is already described; 'as NAME' gives it another name"},
         {grid, "output (U + W)",
-         "t.pex:4:13: unknown name 'W' in an expression; known here: U, V, NEIGHBORS, AGE, BIRTH, X, Y, ROW, COLUMN, "
-         "ROWS, "
-         "COLUMNS, ITERATION, TIME, RANDOM, if, and, or, not, PI, and functions"},
+         "t.pex:4:13: unknown name 'W' in an expression; known here: U, V, NEIGHBORS, AGE, BIRTH, X, Y, Z, ROW, "
+         "COLUMN, LAYER, ROWS, COLUMNS, LAYERS, ITERATION, TIME, RANDOM, if, and, or, not, PI, and functions"},
         {grid, "output rgb (U) (V)", "t.pex:4:19: blue must be an expression in parentheses"},
         {grid, "output rgb (U) V (V)", "t.pex:4:16: green must be an expression in parentheses"},
         {grid, "output rgb (U) (V) (1) colormap heat",
@@ -99,7 +98,8 @@ TEST_CASE("malformed phases, snapshots and outputs say where and what is allowed
         {grid, "output U range every",
          "t.pex:4:16: 'every' is not a number; the lowest value (or the word 'each') must be a number"},
         {grid, "output U range each 1",
-         "t.pex:4:21: unknown word '1'; allowed here: colormap, height, normal, as, or the end of the line"},
+         "t.pex:4:21: unknown word '1'; allowed here: colormap, height, normal, as, slice, maximum, transparent, or "
+         "the end of the line"},
         {grid, "output U normal",
          "t.pex:4:16: the line ends too early; the height of one unit, in cells must be a number"},
         {grid, "output U normal 2 range 0 1", "t.pex:4:19: a normal map has no range; its slopes have a strength"},

@@ -32,7 +32,7 @@ inline void require_equal(const pelage::Snapshot& expected, const pelage::Snapsh
 inline void check_case(const Case& one, pelage::OpenclBackend& device) {
     const auto reference = pelage::reference_backend(device.precision());
     for (const Size size : one.sizes) {
-        INFO("case " << one.name << ", " << size.columns << " x " << size.rows);
+        INFO("case " << one.name << ", " << size.text());
         const pelage::Experiment experiment = one.experiment(size);
         const pelage::Snapshot before = first_state(one, experiment);
         const auto expected = reference->make_tissue(experiment, before);
@@ -45,7 +45,7 @@ inline void check_case(const Case& one, pelage::OpenclBackend& device) {
             require_equal(expected->read(), found->read());
             done += count;
         }
-        if (size.columns * size.rows < 200) continue;  // few cells soon are all the same
+        if (size.cells() < 200) continue;  // few cells soon are all the same
         const std::vector<std::string> doubts = mistrusted(before, expected->read());
         INFO((doubts.empty() ? "" : doubts.front()));
         REQUIRE(doubts.empty());

@@ -50,6 +50,13 @@ Experiment matrix(std::size_t columns, std::size_t rows, Boundary boundary, Sten
     return experiment;
 }
 
+Experiment volume(std::size_t columns, std::size_t rows, std::size_t layers, Boundary boundary, Stencil stencil,
+                  const std::vector<std::string>& names) {
+    Experiment experiment = tissue(CreateVolume{columns, rows, layers, boundary}, names);
+    experiment.stencil = stencil;
+    return experiment;
+}
+
 Experiment grid(std::size_t columns, std::size_t rows, bool wrap, const std::vector<std::string>& names) {
     return tissue(CreateGrid{Arrangement::sqr_grid, columns, rows, 0.0, 0.0, 0.0, false, wrap}, names);
 }

@@ -9,9 +9,12 @@
 
 namespace test {
 
-// Both: time step 1, concentrations and rates 0, no bounds, no rules.
+// All: time step 1, concentrations and rates 0, no bounds, no rules.
 pelage::Experiment matrix(std::size_t columns, std::size_t rows, pelage::Boundary = pelage::Boundary::no_flux,
                           pelage::Stencil = pelage::Stencil::nine_point, const std::vector<std::string>& names = {"A"});
+pelage::Experiment volume(std::size_t columns, std::size_t rows, std::size_t layers,
+                          pelage::Boundary = pelage::Boundary::no_flux, pelage::Stencil = pelage::Stencil::seven_point,
+                          const std::vector<std::string>& names = {"A"});
 pelage::Experiment grid(std::size_t columns, std::size_t rows, bool wrap,
                         const std::vector<std::string>& names = {"A"});
 

@@ -26,8 +26,8 @@ double eigenvalue(Stencil stencil, double p, double q) {
             return -(edges + corners - 8);
         case Stencil::five_point:
             return -(edges - 4);
-        case Stencil::own:
-            break;
+        default:
+            break;  // of one's own, and of volumes: reference/volume.cpp
     }
     return 0.0;
 }

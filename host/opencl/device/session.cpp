@@ -83,7 +83,11 @@ void Session::launch(const cl::Kernel& kernel, const cl::NDRange& global, const 
         const cl::size_type items = local.get()[0];
         if (error.err() != CL_INVALID_WORK_GROUP_SIZE || items <= 1) throw;
         const cl::size_type fewer = items % 2 == 0 ? items / 2 : 1;
-        launch(kernel, global, local.dimensions() == 1 ? cl::NDRange(fewer) : cl::NDRange(fewer, 1));
+        const std::size_t dimensions = local.dimensions();
+        launch(kernel, global,
+               dimensions == 1   ? cl::NDRange(fewer)
+               : dimensions == 2 ? cl::NDRange(fewer, 1)
+                                 : cl::NDRange(fewer, 1, 1));
         return;
     }
     if (guards_) guards_->check(kernel.getInfo<CL_KERNEL_FUNCTION_NAME>());

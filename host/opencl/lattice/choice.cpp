@@ -104,6 +104,25 @@ std::string too_small(const DeviceInfo& device, const RuleNeeds& needs, const Cu
                        needs.fields.all, cut.bytes, device.name, device.local_memory);
 }
 
+// Of a volume: the same program does one step a launch or several, so nothing speaks against streaming on processors.
+Choice choose_for_volume(const DeviceInfo& device, const OpenclOptions& options) {
+    Choice choice;
+    choice.width = lattice_width(device, options);
+    choice.cut = single(device, options.work_group);
+    const bool asked = options.path != Path::automatic;
+    if (!device.processor() || choice.cut.group > 1 || options.path == Path::step) {
+        choice.why = options.path == Path::step ? "as asked for" : "volumes are streamed on processors alone";
+        return choice;
+    }
+    choice.path = Path::streamed;
+    choice.why = options.path == Path::streamed ? "as asked for"
+                 : asked                        ? "a volume is stepped or streamed"
+                                                : "layers go through the caches";
+    choice.cut.depth = options.cut.depth != 0 ? options.cut.depth : 4;
+    choice.cut.rows = options.cut.rows != 0 ? options.cut.rows : 32;
+    return choice;
+}
+
 }  // namespace
 
 RuleNeeds rule_needs(const Experiment& experiment, const LatticePlan& plan, const RuleUse& use) {
@@ -113,7 +132,8 @@ RuleNeeds rule_needs(const Experiment& experiment, const LatticePlan& plan, cons
     needs.polarizes = !use.polarizes.empty();
     needs.uneven_rates = std::ranges::find(plan.rates, RateKind::per_cell) != plan.rates.end();
     needs.wide = plan.reach() > 1 || !use.surrounds.empty();
-    needs.fields = fused_fields(experiment, plan, use);
+    needs.volume = plan.volume();
+    if (!needs.volume) needs.fields = fused_fields(experiment, plan, use);
     return needs;
 }
 
@@ -154,6 +174,7 @@ std::string Choice::text() const {
 }
 
 Choice choose(const DeviceInfo& device, const RuleNeeds& needs, const Work& work, const OpenclOptions& options) {
+    if (needs.volume) return choose_for_volume(device, options);
     const bool automatic = options.path == Path::automatic;
     Choice choice;
     choice.width = lattice_width(device, options);

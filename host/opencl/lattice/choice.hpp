@@ -25,6 +25,7 @@ struct RuleNeeds {
     bool polarizes = false;     // polarities follow gradients
     bool uneven_rates = false;  // diffusion rates differ between cells
     bool wide = false;          // cells are read that are not beside: fused iterations have no such margins
+    bool volume = false;        // of layers: stepped, or streamed through the layers by kernels/volume/step.cl
     FusedFields fields;
 };
 RuleNeeds rule_needs(const Experiment&, const LatticePlan&, const RuleUse&);

@@ -41,6 +41,10 @@ const char* stencil_word(Stencil stencil) {
             return "PELAGE_SIMS";
         case Stencil::own:
             return "PELAGE_OWN_WEIGHTS";
+        case Stencil::seven_point:
+            return "PELAGE_SEVEN_POINT";
+        case Stencil::twenty_seven_point:
+            return "PELAGE_TWENTY_SEVEN_POINT";
     }
     return "";
 }
@@ -59,12 +63,17 @@ public:
           rate_planes_(rate_planes(plan)) {}
 
     std::map<std::string, std::string> fills(const RuleText& text) const {
+        std::map<std::string, std::string> fills = cell_fills(text);
+        if (!plan_.volume()) fills["start"] = start();  // of sums of rows
+        return fills;
+    }
+
+    std::map<std::string, std::string> cell_fills(const RuleText& text) const {
         return {{"parameters", emit_parameters(plan_, bounded_, text.numbers)},
                 {"planes", planes()},
-                {"start", start()},
                 {"cell", cell()},
                 {"rules", traits_.look() + text.rules},
-                {"neighbours", traits_.visits() ? neighbours_text(traits_.visit(means_)) : ""},
+                {"neighbours", traits_.visits() ? traits_.around(traits_.visit(means_)) : ""},
                 {"replace", text.replace},
                 {"finish", finish()},
                 {"diffusion", diffusion()}};
@@ -182,8 +191,8 @@ private:
 
 }  // namespace
 
-std::string neighbours_text(const std::string& visit) {
-    return Source().file("lattice/neighbours.cl", {{"visit", visit}}).str();
+std::string neighbours_text(const std::string& visit, bool volume) {
+    return Source().file(volume ? "volume/neighbours.cl" : "lattice/neighbours.cl", {{"visit", visit}}).str();
 }
 
 std::vector<std::size_t> rate_planes(const LatticePlan& plan) {
@@ -234,6 +243,7 @@ std::vector<bool> bounded_chemicals(const Experiment& experiment) {
 }
 
 double stencil_divisor(Stencil stencil) {
+    if (stencil == Stencil::twenty_seven_point) return 30.0;
     return stencil == Stencil::nine_point ? 6.0 : stencil == Stencil::sims ? 20.0 : 1.0;
 }
 
@@ -242,15 +252,12 @@ std::string lattice_source(const Experiment& experiment, const LatticePlan& plan
                            bool means) {
     const LatticeEmitter emitter(experiment, plan, rules.use, bounded, precision, means);
     Source source;
-    source.text(emitter.settings(width))
-        .file("common/prelude.cl")
-        .file("rules/philox.cl")
-        .file("lattice/rows.cl")
-        .file("lattice/stencil.cl");
+    source.text(emitter.settings(width)).file("common/prelude.cl").file("rules/philox.cl").file("lattice/rows.cl");
+    source.file(plan.volume() ? "volume/stencil.cl" : "lattice/stencil.cl");
     source.file("common/exchange.cl").file("lattice/exchange.cl");
     if (together) source.text("#define PELAGE_TOGETHER").file("lattice/together.cl");
     for (const std::string& file : rule_files(rules.use)) source.file(file);
-    return source.file("lattice/step.cl", emitter.fills(rules)).str();
+    return source.file(plan.volume() ? "volume/step.cl" : "lattice/step.cl", emitter.fills(rules)).str();
 }
 
 }  // namespace pelage

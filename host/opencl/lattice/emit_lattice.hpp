@@ -25,14 +25,14 @@ std::vector<std::size_t> rate_planes(const LatticePlan&);  // npos where the che
 std::size_t own_rates(const LatticePlan&);                 // chemicals that have
 inline constexpr std::size_t no_plane = static_cast<std::size_t>(-1);
 
-// 6 for nine_point, 20 for sims, 1 for the others.
+// 6 for nine_point, 20 for sims, 30 for twenty_seven_point, 1 for the others.
 double stencil_divisor(Stencil);
 
 // Chemicals that have a finite bound in some phase.
 std::vector<bool> bounded_chemicals(const Experiment&);
 
-// The loop over a cell's neighbours (kernels/lattice/neighbours.cl). `visit`: what is done for each.
-std::string neighbours_text(const std::string& visit);
+// The loop over a cell's neighbours (kernels/lattice/neighbours.cl, or volume/). `visit`: what is done for each.
+std::string neighbours_text(const std::string& visit, bool volume = false);
 
 // The defines that every program of a lattice begins with. `width`: see PELAGE_WIDTH.
 std::string lattice_settings(const LatticePlan&, std::size_t width);

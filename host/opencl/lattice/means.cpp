@@ -52,8 +52,8 @@ std::string means_source(const Experiment& experiment, const LatticePlan& plan, 
 }  // namespace
 
 bool means_pay(const Session& session, const LatticePlan& plan, const RuleUse& every) {
-    return session.info().processor() && plan.reach() == 1 && own_rates(plan) > 0 && every.rates_written.empty() &&
-           every.polarizes.empty();
+    return session.info().processor() && plan.reach() == 1 && !plan.volume() && own_rates(plan) > 0 &&
+           every.rates_written.empty() && every.polarizes.empty();
 }
 
 LatticeMeans::LatticeMeans(const Session& session, const Experiment& experiment, const LatticePlan& plan)

@@ -26,6 +26,20 @@ std::size_t within(std::size_t at, std::size_t count, std::size_t reach) {
     return std::min(at, reach) + 1 + std::min(count - 1 - at, reach);
 }
 
+std::vector<std::int32_t> count_in_volume(const Volume& volume) {
+    std::vector<std::int32_t> counts(volume.columns * volume.rows * volume.layers);
+    const bool open = volume.boundary != Boundary::no_flux;
+    for (std::size_t cell = 0; cell < counts.size(); ++cell) {
+        const std::size_t line = cell / volume.columns;
+        const std::size_t across = open ? 3 : within(cell % volume.columns, volume.columns, 1);
+        const std::size_t up = open ? 3 : within(line % volume.rows, volume.rows, 1);
+        const std::size_t deep = open ? 3 : within(line / volume.rows, volume.layers, 1);
+        const bool faces = volume.stencil == Stencil::seven_point;
+        counts[cell] = static_cast<std::int32_t>(faces ? across + up + deep - 3 : across * up * deep - 1);
+    }
+    return counts;
+}
+
 }  // namespace
 
 LatticeState::LatticeState(const Session& session, const Experiment& experiment, const LatticePlan& plan,
@@ -34,7 +48,7 @@ LatticeState::LatticeState(const Session& session, const Experiment& experiment,
       experiment_(experiment),
       plan_(plan),
       rate_planes_(rate_planes(plan)),
-      grid_{initial.columns, initial.rows},
+      grid_{initial.columns, initial.rows * std::max<std::size_t>(initial.layers, 1)},
       conc_(session, "concentrations", experiment.chemicals.size(), false),
       rates_(session, "diffusion rates", own_rates(plan), false),
       polarity_(session, "polarity", plan.polarity ? 2 : 0, false),
@@ -77,11 +91,15 @@ LatticeState::LatticeState(const Session& session, const Experiment& experiment,
 Planes& LatticeState::fields() {
     if (fields_stale_) {
         const Precision precision = session_.is_double() ? Precision::double_ : Precision::single_;
-        fields_.upload(grid_, field_values(experiment_, {grid_.columns, grid_.rows, origin_x_, origin_y_}, precision));
+        fields_.upload(grid_, field_values(experiment_, extent(), precision));
         fields_stale_ = false;
     }
     return fields_;
 }
+
+std::size_t LatticeState::rows() const { return plan_.volume() ? grid_.rows / plan_.layers : grid_.rows; }
+
+Extent LatticeState::extent() const { return {grid_.columns, rows(), origin_x_, origin_y_, plan_.layers}; }
 
 void LatticeState::upload_places() {
     const std::size_t count = grid_.pitch() + grid_.rows;
@@ -108,6 +126,7 @@ void LatticeState::set_rate(std::size_t chemical, double rate) {
 
 std::vector<std::int32_t> LatticeState::count_neighbours() const {
     std::vector<std::int32_t> counts(grid_.cells());
+    if (plan_.volume()) return count_in_volume(plan_.as_volume());
     const bool five = plan_.stencil == Stencil::five_point;
     const auto reach = static_cast<std::size_t>(plan_.reach());
     for (std::size_t cell = 0; cell < counts.size(); ++cell) {
@@ -183,7 +202,8 @@ Snapshot LatticeState::read() const {
     const std::size_t cells = grid_.cells();
     Snapshot state;
     state.columns = grid_.columns;
-    state.rows = grid_.rows;
+    state.rows = rows();
+    state.layers = plan_.layers;
     state.origin_x = origin_x_;
     state.origin_y = origin_y_;
     state.mirrors = mirrors_;

@@ -1,6 +1,8 @@
-// All that a lattice's cells hold: on the device what kernels read or write, on the host what only has to be kept.
+// All that the cells of a lattice or a volume hold: on the device what kernels read or write, on the host what only has
+// to be kept.
 #pragma once
 
+#include "core/fields.hpp"
 #include "core/lattice.hpp"
 #include "core/snapshot.hpp"
 #include "opencl/lattice/expand.hpp"
@@ -19,7 +21,9 @@ public:
     // `use`: what any rule may need, at any time.
     LatticeState(const Session&, const Experiment&, const LatticePlan&, const RuleUse& use, const Snapshot&);
 
-    const Grid& grid() const { return grid_; }
+    const Grid& grid() const { return grid_; }  // the rows of a volume are those of all its layers, one after another
+    std::size_t rows() const;                   // of a lattice, or of one layer
+    std::size_t layers() const { return plan_.layers; }
 
     Planes& conc() { return conc_; }
     const Planes& conc() const { return conc_; }
@@ -46,6 +50,7 @@ public:
     Snapshot read() const;
 
 private:
+    Extent extent() const;
     void forget_counts();  // before a change of size
     void lay_out(const Grid&);
     void upload_places();

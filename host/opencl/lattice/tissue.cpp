@@ -15,6 +15,7 @@
 #include "opencl/lattice/step.hpp"
 #include "opencl/lattice/stream.hpp"
 #include "opencl/lattice/tile.hpp"
+#include "opencl/volume/step.hpp"
 
 #include <fmt/format.h>
 
@@ -112,7 +113,8 @@ private:
             const std::vector<bool> every(experiment().rules.size(), true);
             every_use_ = emit_rules(experiment(), every, session_->options().precision).use;
             state_ = std::make_unique<LatticeState>(*session_, experiment(), plan, every_use_, snapshot);
-            if (plan.rates != plan_.rates || plan.polarity != plan_.polarity) {  // all else is the experiment's
+            if (plan.rates != plan_.rates || plan.polarity != plan_.polarity ||
+                plan.layers != plan_.layers) {  // all else is the experiment's
                 steps_.clear();
                 any_set_.clear();
                 known_.clear();
@@ -198,6 +200,8 @@ private:
     std::unique_ptr<LatticeKernel> make_step(const std::vector<bool>& active, bool test_intervals, const Choice& choice,
                                              std::uint64_t iteration) {
         note(fmt::format("from iteration {}: ", iteration), choice.text());
+        if (plan_.volume())
+            return std::make_unique<VolumeStep>(*session_, experiment(), plan_, active, test_intervals, choice);
         if (choice.path == Path::streamed) {
             return std::make_unique<StreamedStep>(*session_, experiment(), plan_, active, test_intervals, choice);
         }

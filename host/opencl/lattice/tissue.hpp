@@ -1,4 +1,4 @@
-// A lattice tissue on one OpenCL device.
+// A lattice or a volume on one OpenCL device.
 #pragma once
 
 #include "core/tissue.hpp"

@@ -50,10 +50,13 @@ std::string LatticeTraits::look() const {
     }
     for (const std::size_t i : use_.gradients) {
         before += fmt::format("real slope_x{0} = R(0);\nreal slope_y{0} = R(0);\n", i);
+        if (plan_.volume()) before += fmt::format("real slope_z{} = R(0);\n", i);
         each += fmt::format("LOOK_GRADIENT({})\n", i);
     }
-    return each.empty() ? "" : before + neighbours_text(each);
+    return each.empty() ? "" : before + around(each);
 }
+
+std::string LatticeTraits::around(const std::string& each) const { return neighbours_text(each, plan_.volume()); }
 
 std::string LatticeTraits::visit(bool means) const {
     std::string text;
@@ -86,6 +89,11 @@ std::string LatticeTraits::turn(Precision precision) const {
 }
 
 std::string LatticeTraits::shares(Precision precision) const {
+    if (plan_.volume()) {
+        const auto of = [&](Direction to) { return emit_number(neighbour_share(plan_.as_volume(), to), precision); };
+        return fmt::format("#define FACE_SHARE {}\n#define EDGE_SHARE {}\n#define CORNER_SHARE {}\n",
+                           of(direction(1, 0, 0)), of(direction(1, 1, 0)), of(direction(1, 1, 1)));
+    }
     const auto share = [&](Direction to) { return emit_number(neighbour_share(plan_, to), precision); };
     if (plan_.stencil != Stencil::own)
         return fmt::format("#define EDGE_SHARE {}\n#define DIAGONAL_SHARE {}\n", share(direction(1, 0)),

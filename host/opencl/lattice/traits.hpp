@@ -39,6 +39,8 @@ public:
 
     // Before the rules: declares what they read of neighbours, and sums it up; empty where they read nothing.
     std::string look() const;
+    // The loop over a cell's neighbours, with what is done for each.
+    std::string around(const std::string& each) const;
     // What is done for each neighbour. `means`: rates between neighbours are known (kernels/lattice/means.cl).
     std::string visit(bool means = false) const;
     // Declares turned_x and turned_y: the polarity becomes the unit gradient where that is steep enough.

@@ -34,6 +34,10 @@ std::string OperandEmitter::whole(const Operand& operand) {
             return "WHOLE_ROW";
         case Quantity::column:
             return "WHOLE_COLUMN";
+        case Quantity::layer:
+            return "WHOLE_LAYER";
+        case Quantity::layers:
+            return "WHOLE_LAYERS";
         case Quantity::rows:
             return "WHOLE_ROWS";
         case Quantity::columns:
@@ -54,6 +58,9 @@ std::string OperandEmitter::text(const Operand& operand) {
         case Quantity::y:
             use_.quantities.insert(operand.quantity);
             return "GET_Y";
+        case Quantity::z:
+            use_.quantities.insert(operand.quantity);
+            return "GET_Z";
         case Quantity::random: {
             const std::uint32_t nth = randoms_++;
             const std::uint32_t purpose = purpose::operand + 16 * (nth / 4);
@@ -81,10 +88,13 @@ std::string OperandEmitter::text(const Operand& operand) {
         case Quantity::gradient_y:
             use_.gradients.insert(operand.index);
             return fmt::format("slope_y{}", operand.index);
+        case Quantity::gradient_z:
+            use_.gradients.insert(operand.index);
+            return fmt::format("slope_z{}", operand.index);
         case Quantity::stencil:
             return around(experiment_.stencils[operand.stencil], operand.index);
         case Quantity::field:
-            if (!lattice_)
+            if (!places_)
                 return expression(std::get<ComputedField>(experiment_.fields[operand.index].source).expression);
             use_.fields.insert(operand.index);
             return fmt::format("z{}", operand.index);

@@ -3,7 +3,7 @@
 // The kernel around the emitted text provides, for one work-item (types as in kernels/common/prelude.cl):
 //   const real c0, c1, ...      old concentrations           real n0, n1, ...   new ones, set to the old before `rules`
 //   const real r0, r1, ...      old rates, where read        real q0, q1, ...   new ones, alike, where written
-//   const real lap0, lap1, ...  laplacians of chemicals, where read; slope_x0, slope_y0, ... their gradients
+//   const real lap0, lap1, ...  laplacians of chemicals, where read; slope_x0, slope_y0, slope_z0, ... their gradients
 //   AROUND(a0, side, up)        chemical 0 in the cell so many columns and rows away, where RuleUse::surrounds
 //   const real z0, z1, ...      fields of a lattice, where read
 //   real m0, m1, ...            mappings of the cell, loaded before and stored after `rules`; where used
@@ -12,8 +12,9 @@
 //   const real time_start; const uint time_begin        time and iteration at which the phase began, where TIME is read
 //   numbers.declarations() of the RuleText
 //   const uintv id; const uint iteration, seed_low, seed_high          where RuleUse::random (iteration: always)
-//   and as macros, where RuleUse::quantities says so, of type real:  GET_X  GET_Y
-//   and of type uintv:  WHOLE_NEIGHBOURS  WHOLE_AGE  WHOLE_BIRTH  WHOLE_ROW  WHOLE_COLUMN  WHOLE_ROWS  WHOLE_COLUMNS
+//   and as macros, where RuleUse::quantities says so, of type real:  GET_X  GET_Y  GET_Z
+//   and of type uintv:  WHOLE_NEIGHBOURS  WHOLE_AGE  WHOLE_BIRTH  WHOLE_ROW  WHOLE_COLUMN  WHOLE_LAYER  WHOLE_ROWS
+//   WHOLE_COLUMNS  WHOLE_LAYERS
 // The emitted text declares
 //   mask t0, t1, ...            where the rule of that number acts
 //   real or mask x0_0, x0_1 ... parts of the expressions of that rule

@@ -1,0 +1,82 @@
+// Volumes end in the reference's bits on every path, however a run is cut.
+#include "core/growable.hpp"
+#include "core/prepattern.hpp"
+#include "language/parse.hpp"
+#include "lattice_run.hpp"
+#include "opencl/backend.hpp"
+#include "opencl/volume/step.hpp"
+#include "reference/backend.hpp"
+#include "support/variable.hpp"
+
+#include <catch2/catch.hpp>
+
+#include <string>
+
+using namespace pelage;
+
+namespace {
+
+const std::string spotted =
+    "define chemical U\ndefine chemical V\ndefine time_step 0.02\nuse chemical U conc 4 dev 0.5 diff 2\n"
+    "use chemical V conc 4 dev 0.5 diff 0.5\ncreate volume 13 31 9 wrap\n"
+    "rule always react U V turing alpha 16 beta (12 + 0.1 * sin(Z))\nrule probability 0.1 change V conc 0.1 dev 0.1\n";
+
+OpenclOptions waves(std::size_t depth, std::size_t rows) {
+    OpenclOptions options;
+    options.path = Path::streamed;
+    options.cut.depth = depth;
+    options.cut.rows = rows;
+    return options;
+}
+
+}  // namespace
+
+TEST_CASE("volume: single steps and waves of any depth have the reference's bits, however a run is cut") {
+    const Experiment experiment = parse_experiment(spotted, "spotted.pex", ".");
+    const Snapshot initial = initial_state(experiment);
+    const auto expected = reference_backend(Precision::single_)->make_tissue(experiment, initial);
+    expected->advance(23);
+    OpenclOptions single;
+    single.path = Path::step;
+    for (const OpenclOptions& options :
+         {single, waves(2, 5), waves(3, 7), waves(7, 15), waves(4, 31), OpenclOptions{}}) {
+        const auto found = opencl_backend(options)->make_tissue(experiment, initial);
+        found->advance(5);
+        found->advance(18);
+        test::require_equal(expected->read(), found->read());
+    }
+}
+
+TEST_CASE("volume: a wave has no more steps than its layers and rows allow") {
+    const DeviceInfo processor = [] {
+        DeviceInfo device;
+        device.type = "cpu";
+        device.compute_units = 2;
+        device.processors = 2;
+        return device;
+    }();
+    Choice choice;
+    choice.path = Path::streamed;
+    choice.cut.depth = 4;
+    choice.cut.rows = 10;
+    CHECK(volume_shape(processor, choice, {64, 64, 64}, 100).steps == 4);
+    CHECK(volume_shape(processor, choice, {64, 64, 64}, 100).strips == 6);
+    CHECK(volume_shape(processor, choice, {64, 64, 64}, 3).steps == 3);
+    CHECK(volume_shape(processor, choice, {64, 64, 5}, 100).steps == 1);
+    CHECK(volume_shape(processor, choice, {64, 8, 64}, 100).strips == 1);
+    choice.cut.rows = 1;
+    CHECK(volume_shape(processor, choice, {64, 64, 64}, 100).strips == 7);  // of 9 rows at least
+    choice.path = Path::step;
+    CHECK(volume_shape(processor, choice, {64, 64, 64}, 100).steps == 1);
+}
+
+TEST_CASE("volume: neither grows nor takes another space's state") {
+    const Experiment experiment = parse_experiment(spotted, "spotted.pex", ".");
+    const auto tissue = opencl_backend({})->make_tissue(experiment, initial_state(experiment));
+    CHECK(tissue->layers() == 9);
+    CHECK_THROWS_WITH(growable(*tissue), Catch::Matchers::Contains("is a volume"));
+    Snapshot flat = tissue->read();
+    flat.rows *= flat.layers;
+    flat.layers = 0;
+    CHECK_THROWS_WITH(tissue->write(flat), Catch::Matchers::Contains("cannot take each other's state"));
+}
