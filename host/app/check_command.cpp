@@ -9,6 +9,7 @@
 #include "core/error.hpp"
 #include "core/prepattern.hpp"
 #include "core/space.hpp"
+#include "language/previous.hpp"
 #include "opencl/lattice/explain.hpp"
 
 #include <fmt/format.h>
@@ -53,7 +54,7 @@ Experiment read_checked(const std::string& file, const CheckOptions& options, Ou
     return read_experiment(file, outline, StartPictures::read, settings_of(options.settings));
 }
 
-// Statements that begin so. An experiment may have more chemicals and rules: previous() adds some.
+// Statements that begin so. An experiment may have more rules: previous() adds some.
 std::size_t count(const Outline& outline, std::string_view words) {
     return static_cast<std::size_t>(std::ranges::count_if(
         outline.statements, [&](const Outline::Statement& one) { return one.what.starts_with(words); }));
@@ -64,8 +65,10 @@ std::size_t check_file(const std::string& file, const CheckOptions& options) {
     Outline outline;
     const Experiment experiment = read_checked(file, options, &outline);
     const std::vector<Warning> warnings = lint(experiment, outline, experiment.last_iteration());
+    const auto chemicals = static_cast<std::size_t>(std::ranges::count_if(
+        experiment.chemicals, [](const Chemical& one) { return !language::keeps_previous(one); }));
     say("{}: ok: {}, {}, {}, {}{}\n", experiment.source, counted(count_cells(experiment), "cell"),
-        counted(count(outline, "define chemical"), "chemical"), counted(count(outline, "rule"), "rule"),
+        counted(chemicals, "chemical"), counted(count(outline, "rule"), "rule"),
         counted(experiment.last_iteration(), "iteration"),
         warnings.empty() ? "" : "; " + counted(warnings.size(), "warning"));
     send();  // the warnings come after the line of their file

@@ -24,7 +24,7 @@ Field field_of(NpyArray array, const std::string& channel, const std::string& na
         throw Error(fmt::format("'{}' is an array and has no channel '{}'; leave the channel out", name, channel));
     }
     if (array.shape.size() != 2) {
-        throw Error(fmt::format("'{}' has {} dimensions; a field has 2", name, array.shape.size()));
+        throw Error(fmt::format("'{}' has {}; a field has 2", name, counted(array.shape.size(), "dimension")));
     }
     check_picture_size(array.shape[1], array.shape[0], array.values.size(), array.values.size(), name);
     return {array.shape[1], array.shape[0], std::move(array.values)};

@@ -165,11 +165,18 @@ bool equal(const Output& one, const Output& other) {
 
 void find_unused_chemicals(const Sheet& sheet, Reporter& report) {
     const Uses uses(sheet.experiment);
-    for (std::size_t i = 0; i < sheet.experiment.chemicals.size(); ++i) {
-        const Chemical& chemical = sheet.experiment.chemicals[i];
-        if (keeps_previous(chemical) || uses.chemicals.count(i) > 0) continue;
-        report(sheet.place(sheet.outline.chemicals[i], chemical.name),
-               fmt::format("no rule and no output names chemical '{}'", chemical.name));
+    const auto& chemicals = sheet.experiment.chemicals;
+    const auto& lines = sheet.outline.chemicals;
+    const auto unused = [&](std::size_t i) { return !keeps_previous(chemicals[i]) && uses.chemicals.count(i) == 0; };
+    for (std::size_t i = 0; i < chemicals.size(); ++i) {
+        if (!unused(i)) continue;
+        const std::size_t first = i;  // of those that one line defines
+        while (i + 1 < chemicals.size() && unused(i + 1) && lines[i + 1] == lines[i]) ++i;
+        const std::string& name = chemicals[first].name;
+        report(sheet.place(lines[first], name),
+               first == i ? fmt::format("no rule and no output names chemical '{}'", name)
+                          : fmt::format("no rule and no output names any of the chemicals '{}' to '{}'", name,
+                                        chemicals[i].name));
     }
 }
 

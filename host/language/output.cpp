@@ -144,6 +144,8 @@ void parse_subject(Script& script, Cursor& cursor, Output& output) {
     }
     Cursor ahead = cursor;  // a chemical may be named rgb
     if (!ahead.take("rgb") || !is_expression(ahead.peek())) {
+        if (cursor.peek().text == "rgb" && !script.find_chemical("rgb"))
+            cursor.fail(cursor.peek(), "rgb takes three expressions in parentheses: output rgb (RED) (GREEN) (BLUE)");
         output.chemical = script.chemical(cursor);
         return;
     }

@@ -1,6 +1,7 @@
 // See design.hpp.
 #include "sweep/design.hpp"
 
+#include "core/counted.hpp"
 #include "core/error.hpp"
 #include "core/philox.hpp"
 
@@ -217,7 +218,8 @@ std::vector<Point> read_points(const std::filesystem::path& path) {
             continue;
         }
         if (parts.size() != names.size())
-            throw Error(fmt::format("{}: {} fields; the first line names {}", where, parts.size(), names.size()));
+            throw Error(
+                fmt::format("{}: {}; the first line names {}", where, counted(parts.size(), "field"), names.size()));
         Point point;
         for (std::size_t i = 0; i < parts.size(); ++i) {
             if (!number(parts[i])) throw Error(fmt::format("{}: '{}' is not a number", where, parts[i]));

@@ -119,7 +119,7 @@ TEST_CASE("a table of points, and tables that are none") {
     CHECK_THAT(problem("F,K\n1,\"a\"\"b\"\n"), Contains("'a\"b' is not a number"));
     CHECK_THAT(problem("F,K\n1,\"2\n"), Contains("points.csv:2: a quote is not closed"));
     CHECK_THAT(problem("F,F\n1,2\n"), Contains("points.csv:1: a name stands there twice"));
-    CHECK_THAT(problem("F,K\n1,2\n1\n"), Contains("points.csv:3: 1 fields; the first line names 2"));
+    CHECK_THAT(problem("F,K\n1,2\n1\n"), Contains("points.csv:3: 1 field; the first line names 2"));
     CHECK_THAT(problem("F,K\n1,x\n"), Contains("points.csv:2: 'x' is not a number"));
     CHECK_THAT(problem("F,K\n"), Contains("holds no point"));
     CHECK_THAT(problem(""), Contains("holds no point"));
