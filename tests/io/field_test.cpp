@@ -238,7 +238,7 @@ TEST_CASE("row 0 of an array stays row 0") {
     CHECK(field->rows == 2);
     CHECK(field->values == std::vector<double>{1, 2, 3, 4, 5, 6});
     CHECK_THAT(test::error_of([&] { read_field(scratch / "a.npy", "R"); }), Contains("no channel 'R'"));
-    CHECK_THAT(test::error_of([&] { read_field(scratch / "line.npy", ""); }), Contains("1 dimensions"));
+    CHECK_THAT(test::error_of([&] { read_field(scratch / "line.npy", ""); }), Contains("1 dimension;"));
     CHECK_THAT(test::error_of([&] { read_field(scratch / "none.npy", ""); }), Contains("no cells"));
 }
 
