@@ -7,6 +7,7 @@
 #include "reference/aggregate/tissue.hpp"
 #include "reference/cells/tissue.hpp"
 #include "reference/lattice/tissue.hpp"
+#include "reference/mesh/tissue.hpp"
 
 namespace pelage {
 
@@ -29,6 +30,7 @@ public:
                                                                 : make_reference_lattice(shared, initial, precision_);
                                      },
                                      [&](const Volume&) { return make_reference_lattice(shared, initial, precision_); },
+                                     [&](const MeshCells&) { return make_reference_mesh(shared, initial, precision_); },
                                      [&](const FreeCells&) {
                                          return make_reference_cells(shared, initial, precision_, search_, sorting_);
                                      }},

@@ -41,7 +41,7 @@ struct CheckOptions {
 void explain_paths(const Experiment& experiment) {
     const Space space = space_of(experiment);
     const auto* lattice = std::get_if<Lattice>(&space);
-    if (!keeps_places(space) || (lattice != nullptr && lattice->charges)) return;
+    if (!on_grid(space) || (lattice != nullptr && lattice->charges)) return;
     const DeviceInfo processor = usual_processor();
     const Snapshot initial = initial_state(experiment);
     say("  on a processor of {}:\n", counted(processor.processors, "thread"));

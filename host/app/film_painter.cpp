@@ -2,9 +2,11 @@
 #include "app/film_painter.hpp"
 
 #include "io/brush.hpp"
+#include "io/mesh_results.hpp"
 #include "io/output_file.hpp"
 #include "io/projection.hpp"
 #include "io/relief.hpp"
+#include "io/shade.hpp"
 #include "io/texture.hpp"
 
 #include <algorithm>
@@ -95,6 +97,8 @@ FilmPainter::FilmPainter(const FilmPlan& plan, const Experiment& experiment, con
     : plan_(plan), experiment_(experiment), drawing_(drawing) {
     if (plan.frame) {
         frame_ = *plan.frame;
+    } else if (surface_of(experiment) != nullptr) {
+        frame_ = {view_side, view_side};
     } else if (divides(experiment)) {
         frame_ = {growing_side, growing_side};
     } else {
@@ -203,6 +207,9 @@ Picture FilmPainter::of_state(const Snapshot& state) {
     if (plan_.texture) return texture(state, drawn);
     const ValueRange range = seen(drawn.values());
     if (state.volume()) return projection(state, drawn, range);
+    if (const MeshSurface* surface = surface_of(experiment_))
+        return mesh_view(*surface, plan_.output, Brush(plan_.output, drawn.columns(), range),
+                         std::min({frame_.columns, frame_.rows, largest_view}));
     if (!state.lattice()) return cells(state, Brush(plan_.output, drawn.columns(), range));
     Surface surface{drawn.columns(), state.columns, state.rows};
     surface.wrap = wraps(experiment_);

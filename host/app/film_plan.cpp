@@ -204,7 +204,7 @@ std::optional<FilmPlan> plan_film(const RunOptions& options, const Experiment& e
     plan.every = video.every != 0 ? video.every : std::max<std::uint64_t>(1, (last + frames - 1) / frames);
     const Space space = space_of(experiment);
     const auto* lattice = std::get_if<Lattice>(&space);
-    choose_output(plan, video.of, experiment, keeps_places(space));
+    choose_output(plan, video.of, experiment, on_grid(space));
     plan.plain = lattice != nullptr && !plan.texture && plan.output.expressions.empty();
     if (const auto size = size_drawn(plan, experiment, space)) {
         choose_frame(plan, video.size, size->columns, size->rows);

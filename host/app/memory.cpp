@@ -6,6 +6,7 @@
 #include "core/error.hpp"
 #include "core/forecast.hpp"
 #include "core/space.hpp"
+#include "core/surface.hpp"
 
 #include <fmt/format.h>
 
@@ -18,6 +19,8 @@ namespace {
 
 std::size_t most_neighbours(const Space& space) {
     const auto* volume = std::get_if<Volume>(&space);
+    const auto* mesh = std::get_if<MeshCells>(&space);
+    if (mesh != nullptr) return mesh->surface->adjacency.indices.size() / mesh->surface->cells() + 1;
     if (volume == nullptr) return 8;
     return volume->stencil == Stencil::seven_point ? 6 : 26;
 }

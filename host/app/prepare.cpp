@@ -96,7 +96,23 @@ Prepared prepare(const RunOptions& options) {
     return prepared;
 }
 
+namespace {
+
+void check_mesh_formats(const RunOptions& options, const Experiment& experiment) {
+    if (options.formats.empty()) return;
+    const auto formats = options.format_list();
+    const bool mesh = std::holds_alternative<MeshCells>(space_of(experiment));
+    const auto wanted = [&](Format format) { return std::ranges::find(formats, format) != formats.end(); };
+    if (mesh && wanted(Format::exr))
+        throw Error(experiment.source + ": a mesh makes no EXR picture; leave exr out of --format");
+    if (!mesh && wanted(Format::ply))
+        throw Error(experiment.source + ": only a mesh makes a .ply file; leave ply out of --format");
+}
+
+}  // namespace
+
 void check_formats(const RunOptions& options, const Experiment& experiment) {
+    check_mesh_formats(options, experiment);
     if (options.formats.empty() || experiment.texture || keeps_places(space_of(experiment))) return;
     const auto formats = options.format_list();
     if (std::find(formats.begin(), formats.end(), Format::exr) == formats.end()) return;

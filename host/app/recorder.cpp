@@ -105,11 +105,22 @@ void Recorder::snapshot(const Snapshot& state) {
 
 void Recorder::results(const Snapshot& state) { write(state, "final", {}, options_.format_list()); }
 
+namespace {
+
+// Those of the formats wanted that show colours.
+std::vector<Format> redrawn(const std::vector<Format>& wanted) {
+    std::vector<Format> formats{Format::png};
+    if (std::ranges::find(wanted, Format::ply) != wanted.end()) formats.push_back(Format::ply);
+    return formats;
+}
+
+}  // namespace
+
 void Recorder::settle() {
     result_options_.ranged_only = true;  // the reel knows no more
     reel_.redraw([this](const Snapshot& state, const SharedRanges& ranges, const OutputValues& values) {
         result_options_.values = values;
-        write(state, std::to_string(state.iteration), ranges, {Format::png});
+        write(state, std::to_string(state.iteration), ranges, redrawn(options_.format_list()));
     });
     result_options_.ranged_only = false;
     result_options_.values.clear();

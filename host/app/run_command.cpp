@@ -142,7 +142,9 @@ void add_result_options(CLI::App& command, RunOptions& options) {
     command
         .add_option(
             "--format", options.formats,
-            fmt::format("Files to write, separated by commas: {}. Default: exr,png", fmt::join(format_words(), ", ")))
+            fmt::format(
+                "Files to write, separated by commas: {}. Default: exr,png,ply, of which each space has its own",
+                fmt::join(format_words(), ", ")))
         ->type_name("LIST")
         ->check(formats());
     command

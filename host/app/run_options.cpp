@@ -18,7 +18,7 @@ NeighbourSearch RunOptions::neighbour_search() const {
     return neighbours == "kd-tree" ? NeighbourSearch::kd_tree : NeighbourSearch::bins;
 }
 
-std::vector<Format> RunOptions::format_list() const { return parse_formats(formats.empty() ? "exr,png" : formats); }
+std::vector<Format> RunOptions::format_list() const { return parse_formats(formats.empty() ? "exr,png,ply" : formats); }
 
 std::filesystem::path RunOptions::folder() const {
     if (!out.empty()) return out;

@@ -36,7 +36,7 @@ struct RunOptions {
     std::optional<std::uint64_t> iterations;
     std::optional<std::int64_t> seed;
     std::filesystem::path out;  // empty: out/STEM of the file
-    std::string formats;        // empty: exr,png
+    std::string formats;        // empty: exr,png,ply
     std::string exr_type = "float";
     std::string png_bits = "8";
     std::uint64_t snap_every = 0;        // 0: only as the experiment says

@@ -99,7 +99,8 @@ bool TileRunner::has_files(std::size_t tile) const {
     if (options_.run.formats.empty()) return true;
     const std::vector<Format> wanted = options_.run.format_list();
     return std::ranges::all_of(format_table(), [&](const FormatRow& row) {
-        return row.format == Format::npy || std::ranges::find(wanted, row.format) == wanted.end() ||
+        return row.format == Format::npy || row.lattice.ending == nullptr ||
+               std::ranges::find(wanted, row.format) == wanted.end() ||
                std::filesystem::exists(folder_ / (std::to_string(tile) + row.lattice.ending));
     });
 }

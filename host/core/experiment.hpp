@@ -303,6 +303,10 @@ struct CreateVolume {
     std::size_t layers = 0;
     Boundary boundary = Boundary::no_flux;
 };
+struct MeshSurface;  // core/surface.hpp
+struct CreateMesh {
+    std::shared_ptr<const MeshSurface> surface;  // never null
+};
 struct CreateShape {
     std::vector<std::string> lines;  // top line first; letters are cells
     double x = 0.0, y = 0.0;
@@ -327,7 +331,7 @@ struct SetCells {
     std::optional<std::size_t> where = std::nullopt;  // place in Experiment::expressions: only cells where it is true
 };
 using Statement = std::variant<UseChemical, UsePolarity, UseSeed, CreateCell, CreateGrid, CreateMatrix, CreateVolume,
-                               CreateShape, SetCells>;
+                               CreateMesh, CreateShape, SetCells>;
 
 // ---- phases
 
@@ -382,6 +386,8 @@ struct Projection {
     std::optional<std::size_t> at = std::nullopt;  // its place there; empty: the middle
 };
 
+inline constexpr std::array<double, 3> default_view{1.0, -1.6, 1.2};  // of a mesh, to its middle
+
 struct Output {  // one picture
     std::size_t chemical = 0;
     Colormap colormap;
@@ -391,8 +397,9 @@ struct Output {  // one picture
     double strength = 1.0;  // of a normal map
     // Drawn instead of the chemical: one, or three that are red, green and blue of 0 to 1, without colormap and range.
     std::vector<Expression> expressions = {};
-    std::string name = {};                                // of the file, where the experiment gives one
-    std::optional<Projection> projection = std::nullopt;  // of a volume; empty: its middle layer
+    std::string name = {};                                     // of the file, where the experiment gives one
+    std::optional<Projection> projection = std::nullopt;       // of a volume; empty: its middle layer
+    std::optional<std::array<double, 3>> view = std::nullopt;  // of a mesh: from where; empty: see default_view
 
     bool rgb() const { return expressions.size() == 3; }
 };

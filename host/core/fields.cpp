@@ -259,7 +259,7 @@ void compute_once(Experiment& experiment, Expression& expression) {
 }  // namespace
 
 void compute_places_once(Experiment& experiment) {
-    if (!keeps_places(space_of(experiment))) return;
+    if (!on_grid(space_of(experiment))) return;
     for (Expression& expression : experiment.expressions) compute_once(experiment, expression);
 }
 

@@ -10,6 +10,7 @@
 #include "core/seed.hpp"
 #include "core/space.hpp"
 #include "core/subnormal.hpp"
+#include "core/surface.hpp"
 
 #include <fmt/format.h>
 
@@ -70,6 +71,12 @@ public:
         const CreateGrid layer{Arrangement::sqr_grid, volume.columns, volume.rows, 0.0, 0.0, 0.0, false, false};
         for (std::size_t nth = 0; nth < volume.layers; ++nth)
             for_each_centre<T>(layer, [&](T x, T y) { create(x, y, false); });
+    }
+
+    void operator()(const CreateMesh& mesh) {
+        reserve(state_.cells() + mesh.surface->cells());
+        for (const Point& place : mesh.surface->mesh.vertices)
+            create(static_cast<T>(place[0]), static_cast<T>(place[1]), false);
     }
 
     void operator()(const CreateShape& shape) {
@@ -212,6 +219,9 @@ private:
                                        std::is_same_v<T, float> ? Precision::single_ : Precision::double_);
             return fields_;
         }
+        if (const auto* mesh = std::get_if<MeshCells>(&space)) {
+            for (const double z : coordinates(*mesh->surface, 2)) scene.z.push_back(double{in_precision<T>(z)});
+        }
         fields_.clear();
         scene.fields = &fields_;
         for (const PlaceField& field : experiment_.fields)
@@ -344,6 +354,7 @@ private:
 struct Counter {
     std::size_t operator()(const CreateCell&) const { return 1; }
     std::size_t operator()(const CreateMatrix& matrix) const { return matrix.columns * matrix.rows; }
+    std::size_t operator()(const CreateMesh& mesh) const { return mesh.surface->cells(); }
     std::size_t operator()(const CreateVolume& volume) const { return volume.columns * volume.rows * volume.layers; }
     std::size_t operator()(const CreateGrid& grid) const {
         const bool circle = grid.arrangement == Arrangement::sqr_circle || grid.arrangement == Arrangement::hex_circle;

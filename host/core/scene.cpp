@@ -108,6 +108,7 @@ public:
             case Quantity::y:
                 return scene_.y;
             case Quantity::z: {
+                if (!scene_.z.empty()) return scene_.z;
                 const std::vector<double> z = centres(0.0, scene_.layers);
                 return each([&](std::size_t cell) { return z.empty() ? 0.0 : z[layer(cell)]; });
             }
@@ -173,6 +174,8 @@ private:
     }
     std::vector<double> of_neighbours(const Operand& operand) const {
         if (scene_.volume != nullptr) return in_volume(operand);
+        if (scene_.adjacency != nullptr && operand.quantity == Quantity::laplacian)
+            return on_mesh(*scene_.adjacency, scene_.conc->at(operand.index));
         if (scene_.lattice == nullptr) throw Error("an expression reads what lattices alone have");
         const Around around(*scene_.lattice, scene_, scene_.conc->at(operand.index));
         if (operand.quantity == Quantity::laplacian)
@@ -185,6 +188,15 @@ private:
         if (operand.quantity == Quantity::gradient_x)
             return each([&](std::size_t cell) { return around.gradient_x(cell); });
         return each([&](std::size_t cell) { return around.gradient_y(cell); });
+    }
+
+    std::vector<double> on_mesh(const Adjacency& adjacency, const std::vector<double>& values) const {
+        return each([&](std::size_t cell) {
+            double sum = 0.0;
+            for (std::size_t entry = adjacency.offsets[cell]; entry < adjacency.offsets[cell + 1]; ++entry)
+                sum += adjacency.weights[entry] * (values[adjacency.indices[entry]] - values[cell]);
+            return sum;
+        });
     }
 
     std::vector<double> in_volume(const Operand& operand) const {

@@ -39,6 +39,7 @@ std::optional<Space> created(const Statement& statement, const Experiment& exper
                               return Volume{v.columns, v.rows, v.layers, v.boundary,
                                             of_volumes(given) ? given : Stencil::seven_point};
                           },
+                          [](const CreateMesh& mesh) -> Made { return MeshCells{mesh.surface}; },
                           [](const CreateCell&) -> Made { return FreeCells{}; },
                           [](const CreateShape&) -> Made { return FreeCells{}; },
                           [](const UseChemical&) -> Made { return {}; },
@@ -69,6 +70,14 @@ Space space_of(const Experiment& experiment) {
     const auto* lattice = std::get_if<Lattice>(&*found);
     if (lattice != nullptr && !lattice->expandable && cells_leave_their_place(experiment)) return FreeCells{};
     return *found;
+}
+
+const char* these_are(const Space& space) {
+    return std::visit(
+        Overloaded{[](const Lattice&) { return "this is a lattice"; },
+                   [](const FreeCells&) { return "these are free cells"; },
+                   [](const Volume&) { return "this is a volume"; }, [](const MeshCells&) { return "this is a mesh"; }},
+        space);
 }
 
 void resize_lattice(Experiment& experiment, std::size_t columns, std::size_t rows) {

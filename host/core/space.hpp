@@ -4,6 +4,7 @@
 #include "core/experiment.hpp"
 
 #include <cstddef>
+#include <memory>
 #include <variant>
 
 namespace pelage {
@@ -41,10 +42,23 @@ struct Volume {
 // Cells with centres anywhere in the plane; those nearer than 3 radii are neighbours.
 struct FreeCells {};
 
-using Space = std::variant<Lattice, FreeCells, Volume>;
+// The vertices of a mesh, which exchange along its edges.
+struct MeshCells {
+    std::shared_ptr<const MeshSurface> surface;  // never null
+};
+
+using Space = std::variant<Lattice, FreeCells, Volume, MeshCells>;
 
 // Whether cells stay where they are, each with the same neighbours: in every space but that of free cells.
 inline bool keeps_places(const Space& space) { return !std::holds_alternative<FreeCells>(space); }
+
+// Whether cells lie in columns and rows.
+inline bool on_grid(const Space& space) {
+    return std::holds_alternative<Lattice>(space) || std::holds_alternative<Volume>(space);
+}
+
+// What an experiment of that kind is, for messages: "this is a volume", "these are free cells".
+const char* these_are(const Space&);
 
 // Read off the `create` statements and the rules. Nothing else decides what kind of tissue an experiment is.
 Space space_of(const Experiment&);

@@ -2,6 +2,7 @@
 #include "core/stability.hpp"
 
 #include "core/adjacency.hpp"
+#include "core/surface.hpp"
 #include "core/visit.hpp"
 
 #include <algorithm>
@@ -64,7 +65,8 @@ constexpr double hexagonal_stiffness = 9.0;
 double stiffness(const Space& space) {
     return std::visit(Overloaded{[](const Lattice& lattice) { return stiffness(lattice); },
                                  [](const FreeCells&) { return hexagonal_stiffness; },
-                                 [](const Volume& volume) { return stiffness(volume.stencil); }},
+                                 [](const Volume& volume) { return stiffness(volume.stencil); },
+                                 [](const MeshCells& mesh) { return stiffness(*mesh.surface); }},
                       space);
 }
 

@@ -99,7 +99,9 @@ private:
                         fmt::format("the diffusion rate {} of '{}' is below 0; {} every difference would "
                                     "grow without end",
                                     spread.value, name(chemical),
-                                    std::holds_alternative<Volume>(space_) ? "in a volume" : "on a lattice"));
+                                    std::holds_alternative<Volume>(space_)      ? "in a volume"
+                                    : std::holds_alternative<MeshCells>(space_) ? "on a mesh"
+                                                                                : "on a lattice"));
         }
         note(true, false,
              fmt::format("the diffusion rate {} of '{}' is below 0; such cells pump towards where there is more, "

@@ -32,7 +32,7 @@ public:
         check_stencils();
         for (const Rule& rule : experiment_.rules) check_rule(rule);
         check_charges();
-        check_volume();
+        check_beyond_plane();
         for (const Output& output : experiment_.outputs) check_output(output);
         if (experiment_.outputs.empty()) fail("an experiment needs at least one output");
         if (experiment_.stop_at > largest_iteration)
@@ -154,8 +154,8 @@ private:
             if (!seen_by_field(part.quantity)) fail("a field reads what changes from iteration to iteration");
             if (part.quantity == Quantity::field && part.index >= place)
                 fail("a field reads one that is defined after it");
-            if (part.quantity == Quantity::random && !keeps_places(space_))
-                fail("a field of free cells cannot be drawn; RANDOM in a field needs a lattice");
+            if (part.quantity == Quantity::random && !on_grid(space_))
+                fail("RANDOM in a field needs a lattice, where fields are computed once; " + these_are());
         });
     }
     void check_field(const PictureField&, std::size_t) const {
@@ -170,7 +170,8 @@ private:
 
     const Lattice* lattice() const { return std::get_if<Lattice>(&space_); }
     bool volume() const { return std::holds_alternative<Volume>(space_); }
-    std::string these_are() const { return volume() ? "this is a volume" : "these are free cells"; }
+    bool mesh() const { return std::holds_alternative<MeshCells>(space_); }
+    std::string these_are() const { return pelage::these_are(space_); }
 
     void check_operand(const Operand& operand) const {
         switch (operand.quantity) {
@@ -185,16 +186,21 @@ private:
                 if (operand.index >= experiment_.mappings.size()) fail("a rule reads a mapping that is not defined");
                 break;
             case Quantity::laplacian:
+                check_chemical(operand.index, "a rule");
+                if (!keeps_places(space_)) fail("a laplacian needs a lattice; these are free cells");
+                break;
             case Quantity::gradient_x:
             case Quantity::gradient_y:
                 check_chemical(operand.index, "a rule");
-                if (!keeps_places(space_)) fail("laplacian and gradients need a lattice; these are free cells");
+                if (!on_grid(space_)) fail("gradients need a lattice; " + these_are());
                 break;
             case Quantity::gradient_z:
                 check_chemical(operand.index, "a rule");
                 check_layers();
                 break;
             case Quantity::z:
+                if (!mesh()) check_layers();
+                break;
             case Quantity::layer:
             case Quantity::layers:
                 check_layers();
@@ -215,8 +221,9 @@ private:
             case Quantity::column:
             case Quantity::rows:
             case Quantity::columns:
-                if (!keeps_places(space_))
-                    fail("ROW, COLUMN, ROWS and COLUMNS need a lattice; these are free cells (use X and Y)");
+                if (!on_grid(space_))
+                    fail("ROW, COLUMN, ROWS and COLUMNS need a lattice; " + these_are() +
+                         (mesh() ? " (use X, Y and Z)" : " (use X and Y)"));
                 break;
             default:
                 break;
@@ -397,10 +404,10 @@ private:
                          experiment_.chemicals[chemical].name));
     }
 
-    // What a plane alone has: a volume has no polarity, and its cells neither move nor grow in number.
-    void check_volume() {
-        if (!volume()) return;
-        const std::string plane = " belongs to a plane; this is a volume";
+    // What a plane alone has: volumes and meshes have no polarity, and their cells neither move nor grow in number.
+    void check_beyond_plane() {
+        if (!volume() && !mesh()) return;
+        const std::string plane = " belongs to a plane; " + these_are();
         for (const Rule& rule : experiment_.rules) {
             line_ = rule.line;
             if (std::holds_alternative<Polarize>(rule.action)) fail("`polarize`" + plane);

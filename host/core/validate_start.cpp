@@ -35,16 +35,19 @@ public:
     }
 
 private:
-    // A volume holds all cells.
+    // A volume holds all cells, and so does a mesh.
     void check_alone() const {
-        std::size_t volumes = 0, others = 0;
+        std::size_t volumes = 0, meshes = 0, others = 0;
         for (const Statement& statement : experiment_.prepattern) {
-            std::visit(Overloaded{[&](const CreateVolume&) { ++volumes; }, [&](const CreateMatrix&) { ++others; },
-                                  [&](const CreateGrid&) { ++others; }, [&](const CreateCell&) { ++others; },
-                                  [&](const CreateShape&) { ++others; }, [](const auto&) {}},
+            std::visit(Overloaded{[&](const CreateVolume&) { ++volumes; }, [&](const CreateMesh&) { ++meshes; },
+                                  [&](const CreateMatrix&) { ++others; }, [&](const CreateGrid&) { ++others; },
+                                  [&](const CreateCell&) { ++others; }, [&](const CreateShape&) { ++others; },
+                                  [](const auto&) {}},
                        statement);
         }
-        if (volumes > 1 || (volumes == 1 && others > 0)) fail("a volume holds all cells; create nothing beside it");
+        if (volumes > 1 || (volumes == 1 && meshes + others > 0))
+            fail("a volume holds all cells; create nothing beside it");
+        if (meshes > 1 || (meshes == 1 && others > 0)) fail("a mesh holds all cells; create nothing beside it");
     }
     void check_start(std::size_t expression) const {
         each_operand(checked_expression(expression, "a start"), [&](const Operand& part) {
@@ -85,6 +88,9 @@ private:
         if (volume.columns == 0 || volume.rows == 0 || volume.layers == 0) fail("a volume has a side without cells");
         check_size(volume.columns, volume.rows);
         check_size(volume.columns * volume.rows, volume.layers);
+    }
+    void check_statement(const CreateMesh& mesh) const {
+        if (mesh.surface == nullptr) fail("a mesh has no surface");
     }
     void check_statement(const CreateShape& shape) const { check_place(shape.x, shape.y); }
     void check_statement(const SetCells& set) const {

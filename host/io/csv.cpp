@@ -2,6 +2,7 @@
 #include "io/csv.hpp"
 
 #include "io/atomic_file.hpp"
+#include "io/mesh_results.hpp"
 #include "io/shape.hpp"
 
 #include <fmt/compile.h>
@@ -24,8 +25,8 @@ std::string quoted(const std::string& text) {
     return result + '"';
 }
 
-std::string head(const Experiment& experiment, bool layers) {
-    std::string line = fmt::format("id,x,y,{}birth,neighbours,polarity_x,polarity_y", layers ? "layer," : "");
+std::string head(const Experiment& experiment, const char* third) {
+    std::string line = fmt::format("id,x,y,{}birth,neighbours,polarity_x,polarity_y", third);
     for (const auto& chemical : experiment.chemicals) line += fmt::format(",{}", quoted("conc " + chemical.name));
     for (const auto& chemical : experiment.chemicals) line += fmt::format(",{}", quoted("diff " + chemical.name));
     return line + "\n";
@@ -43,11 +44,14 @@ void append(fmt::memory_buffer& to, double value, Precision precision) {
         fmt::format_to(std::back_inserter(to), FMT_COMPILE("{}"), value);
 }
 
-void append_cell(fmt::memory_buffer& to, const Snapshot& cells, std::size_t i, Precision precision) {
+// `mesh`: may be null.
+void append_cell(fmt::memory_buffer& to, const Snapshot& cells, const MeshSurface* mesh, std::size_t i,
+                 Precision precision) {
     const auto add = [&](double value) { append(to, value, precision); };
     fmt::format_to(std::back_inserter(to), FMT_COMPILE("{}"), i);
     add(cells.x[i]);
     add(cells.y[i]);
+    if (mesh != nullptr) add(mesh->mesh.vertices[i][2]);
     if (cells.volume()) fmt::format_to(std::back_inserter(to), FMT_COMPILE(",{}"), i / (cells.columns * cells.rows));
     fmt::format_to(std::back_inserter(to), FMT_COMPILE(",{},{}"), cells.birth[i], cells.neighbours[i]);
     add(cells.polarity_x[i]);
@@ -63,10 +67,12 @@ void write_csv(const std::filesystem::path& path, const Snapshot& snapshot, cons
                Precision precision) {
     check_shape(snapshot, experiment);
     AtomicFile file(path);
-    file.write(head(experiment, snapshot.volume()));
+    const MeshSurface* mesh = surface_of(experiment);
+    if (mesh != nullptr && mesh->cells() != snapshot.cells()) mesh = nullptr;
+    file.write(head(experiment, mesh != nullptr ? "z," : snapshot.volume() ? "layer," : ""));
     fmt::memory_buffer buffer;
     for (std::size_t i = 0; i < snapshot.cells(); ++i) {
-        append_cell(buffer, snapshot, i, precision);
+        append_cell(buffer, snapshot, mesh, i, precision);
         if (buffer.size() < bytes_at_once && i + 1 < snapshot.cells()) continue;
         file.write(buffer.data(), buffer.size());
         buffer.clear();

@@ -5,6 +5,7 @@
 #include "core/philox.hpp"
 #include "core/scene.hpp"
 #include "core/space.hpp"
+#include "core/surface.hpp"
 
 #include <algorithm>
 #include <utility>
@@ -28,6 +29,10 @@ public:
         scene_.time = experiment.time_at(state.iteration);
         scene_.lattice = std::get_if<Lattice>(&space_);
         scene_.volume = std::get_if<Volume>(&space_);
+        if (const auto* mesh = std::get_if<MeshCells>(&space_)) {
+            scene_.adjacency = &mesh->surface->adjacency;
+            scene_.z = coordinates(*mesh->surface, 2);
+        }
         scene_.stencils = &experiment.stencils;
         scene_.seed = experiment.run_seed();
         scene_.purpose = purpose::output;

@@ -3,6 +3,7 @@
 
 #include "core/error.hpp"
 #include "io/csv.hpp"
+#include "io/mesh_results.hpp"
 #include "io/vtk.hpp"
 
 #include <fmt/format.h>
@@ -33,11 +34,12 @@ const FormatRow& row_of(const std::string& word) {
 
 const std::vector<FormatRow>& format_table() {
     static const auto& table = *new const std::vector<FormatRow>{
-        {Format::exr, {"exr"}, {".exr", nullptr}, {}},
-        {Format::png, {"png"}, {".png", nullptr}, {".png", nullptr}},
-        {Format::npy, {"npy"}, {".npy", nullptr}, {".npy", nullptr}},
-        {Format::csv, {"csv"}, {".csv", write_csv}, {".csv", write_csv}},
-        {Format::vtk, {"vti", "vtp", "vtk"}, {".vti", write_vti}, {".vtp", write_vtp}},
+        {Format::exr, {"exr"}, {".exr", nullptr}, {}, {}},
+        {Format::png, {"png"}, {".png", nullptr}, {".png", nullptr}, {".png", nullptr}},
+        {Format::npy, {"npy"}, {".npy", nullptr}, {".npy", nullptr}, {".npy", nullptr}},
+        {Format::csv, {"csv"}, {".csv", write_csv}, {".csv", write_csv}, {".csv", write_csv}},
+        {Format::vtk, {"vti", "vtp", "vtk"}, {".vti", write_vti}, {".vtp", write_vtp}, {".vtp", write_surface_vtp}},
+        {Format::ply, {"ply"}, {}, {}, {".ply", nullptr}},
     };
     return table;
 }
@@ -51,7 +53,7 @@ std::vector<std::string> format_words() {
 std::vector<std::string> format_endings() {
     std::vector<std::string> endings;
     for (const FormatRow& row : format_table()) {
-        for (const StateFile& file : {row.lattice, row.cells}) {
+        for (const StateFile& file : {row.lattice, row.cells, row.mesh}) {
             if (file.ending != nullptr && std::ranges::find(endings, file.ending) == endings.end())
                 endings.emplace_back(file.ending);
         }

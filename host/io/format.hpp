@@ -17,7 +17,8 @@ enum class Format {
           // that is taken); STEM.NAME.height.png and STEM.NAME.normal.png: maps of a lattice
     npy,  // STEM.NAME.npy for each chemical: rows x columns, bottom row first, or one dimension for free cells
     csv,  // STEM.csv
-    vtk   // STEM.vti for a lattice, STEM.vtp for free cells
+    vtk,  // STEM.vti for a lattice, STEM.vtp for free cells and meshes
+    ply   // STEM.ply: a mesh in the colours of the first output of colours
 };
 
 // A file that shows a whole state, STEM with this ending.
@@ -29,7 +30,7 @@ struct StateFile {
 struct FormatRow {
     Format format;
     std::vector<std::string> words;  // on the command line; the first is the usual one
-    StateFile lattice, cells;        // without a writer: the files have a plan of their own, in result_plan.cpp
+    StateFile lattice, cells, mesh;  // without a writer: the files have a plan of their own, in result_plan.cpp
 };
 
 // In the order in which files are written.

@@ -11,7 +11,7 @@ namespace pelage {
 
 namespace {
 
-constexpr std::size_t bytes_at_once = 1 << 20;
+constexpr std::size_t ply_bytes_at_once = 1 << 20;
 
 // Collects numbers and hands them on in large pieces.
 class PlyBytes {
@@ -22,7 +22,7 @@ public:
     void put(T value) {
         const auto* const bytes = reinterpret_cast<const char*>(&value);
         kept_.append(bytes, sizeof value);
-        if (kept_.size() >= bytes_at_once) flush();
+        if (kept_.size() >= ply_bytes_at_once) flush();
     }
     void put(double value, Precision precision) {
         if (precision == Precision::double_) return put<double>(value);

@@ -2,6 +2,7 @@
 #include "io/result_plan.hpp"
 
 #include "io/exr.hpp"
+#include "io/mesh_results.hpp"
 #include "io/npy.hpp"
 #include "io/parallel.hpp"
 #include "io/picture.hpp"
@@ -107,7 +108,10 @@ void ResultPlan::plan(const FormatRow& row) {
         add(stem_ + ".exr", [this](const auto& path) { write_stack(path); });
     if (row.format == Format::png) plan_pictures();
     if (row.format == Format::npy) plan_arrays();
-    const StateFile& file = snapshot_.on_grid() ? row.lattice : row.cells;
+    if (row.format == Format::ply && surface_of(experiment_) != nullptr) plan_ply();
+    const StateFile& file = snapshot_.on_grid()                  ? row.lattice
+                            : surface_of(experiment_) != nullptr ? row.mesh
+                                                                 : row.cells;
     if (file.write == nullptr) return;
     add(stem_ + file.ending,
         [this, write = file.write](const auto& path) { write(path, snapshot_, experiment_, options_.precision); });
@@ -143,6 +147,16 @@ void ResultPlan::plan_picture(std::size_t output) {
                 [this, output](const auto& path) { write_picture(path, output); });
 }
 
+// Its colours are those of the main picture.
+void ResultPlan::plan_ply() {
+    add_picture(main_, stem_ + ".ply", [this](const auto& path) {
+        const Output& output = outputs_[main_];
+        const Drawn drawn = this->drawn(main_);
+        const Brush brush(output, drawn.columns(), drawn_range(output, drawn.values(), shared_range(main_)));
+        write_coloured_mesh(path, *surface_of(experiment_), brush, options_.precision);
+    });
+}
+
 std::optional<ValueRange> ResultPlan::shared_range(std::size_t output) const {
     return output < options_.ranges.size() ? options_.ranges[output] : std::nullopt;
 }
@@ -164,7 +178,9 @@ void ResultPlan::write_picture(const std::filesystem::path& path, std::size_t in
         return write_output(path, surface, output, shared_range(index), options_.deep_png);
     }
     const Brush brush(output, drawn.columns(), drawn_range(output, drawn.values(), shared_range(index)));
-    const auto picture = draw_cells(snapshot_, brush, options_.drawing);
+    const MeshSurface* surface = surface_of(experiment_);
+    const auto picture =
+        surface != nullptr ? mesh_view(*surface, output, brush) : draw_cells(snapshot_, brush, options_.drawing);
     if (options_.deep_png) return write_png(path, deepened(picture));
     write_png(path, picture);
 }

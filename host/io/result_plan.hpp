@@ -40,6 +40,7 @@ private:
     void plan_pictures();
     void plan_picture(std::size_t output);
     void plan_arrays();
+    void plan_ply();
     void plan_texture(std::size_t columns, std::size_t rows);
     void plan_texture_pictures(const std::string& stem, std::size_t columns, std::size_t rows);
 

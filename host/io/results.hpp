@@ -20,7 +20,7 @@
 namespace pelage {
 
 struct ResultOptions {
-    std::vector<Format> formats{Format::exr, Format::png};
+    std::vector<Format> formats{Format::exr, Format::png, Format::ply};
     Precision precision = Precision::single_;  // numbers in .npy, .vti and .vtp
     Attributes attributes;                     // for EXR headers; "iteration" and "time" are added
     CellDrawing drawing;                       // of free cells

@@ -22,10 +22,10 @@ Point unit_of(const Point& p) {
     return l > 0.0 ? (1.0 / l) * p : p;
 }
 
-struct View {  // right, up and towards the viewer
+struct Viewer {  // right, up and towards the viewer
     Point right, up, towards;
 
-    explicit View(const Point& from) : towards(unit_of(from)) {
+    explicit Viewer(const Point& from) : towards(unit_of(from)) {
         const bool steep = std::abs(towards[2]) > 1 - 1e-9;
         right = steep ? Point{1, 0, 0} : unit_of(cross({0, 0, 1}, towards));
         up = cross(towards, right);
@@ -39,7 +39,7 @@ struct Drop {      // a vertex on its way into the picture
 };
 
 // How bright the vertices are, from the sum of the normals of the triangles around each.
-std::vector<double> lights(const Mesh& mesh, const View& view) {
+std::vector<double> lights(const Mesh& mesh, const Viewer& view) {
     std::vector<Point> normals(mesh.vertices.size(), Point{});
     for (const Triangle& t : mesh.triangles) {
         const Point normal = mesh.normal(t);
@@ -56,7 +56,7 @@ std::vector<double> lights(const Mesh& mesh, const View& view) {
     return result;
 }
 
-std::vector<Drop> project(const Mesh& mesh, const View& view, std::size_t side) {
+std::vector<Drop> project(const Mesh& mesh, const Viewer& view, std::size_t side) {
     constexpr double infinity = std::numeric_limits<double>::infinity();
     std::vector<Point> places;
     places.reserve(mesh.vertices.size());
@@ -174,7 +174,7 @@ Picture shade(const Mesh& mesh, std::span<const Rgb> colours, const Point& from,
     if (colours.size() != mesh.vertices.size())
         throw Error(
             fmt::format("{} colours for {} vertices; one a vertex is needed", colours.size(), mesh.vertices.size()));
-    const std::vector<Drop> drops = project(mesh, View(from), size * samples);
+    const std::vector<Drop> drops = project(mesh, Viewer(from), size * samples);
     Raster raster(size * samples);
     for (const auto& [a, b, c] : mesh.triangles)
         raster.draw({&drops[a], &drops[b], &drops[c]}, {&colours[a], &colours[b], &colours[c]});

@@ -210,7 +210,7 @@ std::array<double, 2> texel_size(const Snapshot& cells, std::size_t columns, std
 bool wraps(const Experiment& experiment) {
     return std::visit(Overloaded{[](const Lattice& lattice) { return lattice.boundary == Boundary::wrap; },
                                  [](const Volume& volume) { return volume.boundary == Boundary::wrap; },
-                                 [](const FreeCells&) { return false; }},
+                                 [](const FreeCells&) { return false; }, [](const MeshCells&) { return false; }},
                       space_of(experiment));
 }
 

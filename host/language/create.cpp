@@ -1,7 +1,9 @@
-// create cell | sqr_grid | sqr_circle | hex_grid | hex_circle | shape | matrix | charges | volume
+// create cell | sqr_grid | sqr_circle | hex_grid | hex_circle | shape | matrix | charges | volume | mesh | icosphere |
+// torus
 #include "core/aggregate.hpp"
 #include "core/prepattern.hpp"
 #include "io/sha256.hpp"
+#include "language/mesh.hpp"
 #include "language/shape.hpp"
 #include "language/statements.hpp"
 #include "language/vocabulary.hpp"
@@ -165,8 +167,9 @@ void create_volume(Script& script, Cursor& cursor, const Token& at) {
 std::vector<std::string_view> words_of_boundaries() { return {boundary_words.begin(), boundary_words.end()}; }
 
 void parse_create(Script& script, Cursor& cursor) {
-    static constexpr std::array<std::string_view, 9> words{"sqr_grid", "sqr_circle", "hex_grid", "hex_circle", "cell",
-                                                           "shape",    "matrix",     "charges",  "volume"};
+    static constexpr std::array<std::string_view, 12> words{"sqr_grid", "sqr_circle", "hex_grid",  "hex_circle",
+                                                            "cell",     "shape",      "matrix",    "charges",
+                                                            "volume",   "mesh",       "icosphere", "torus"};
     const Token& at = cursor.peek();
     const std::size_t kind = cursor.choose(words);
     script.outside_phases(cursor, at, "create");
@@ -187,8 +190,10 @@ void parse_create(Script& script, Cursor& cursor) {
             return create_matrix(script, cursor, at);
         case 7:
             return create_charges(script, cursor, at);
-        default:
+        case 8:
             return create_volume(script, cursor, at);
+        default:
+            return create_mesh(script, cursor, at);
     }
 }
 

@@ -65,14 +65,22 @@ void Script::check_arrangement() const {
         for (const auto& demand : {needs_plane_, needs_matrix_, refuses_matrix_})
             if (demand) refuse(*demand, "belongs to a plane; 'create volume' makes a volume");
     }
+    if (mesh_) {
+        for (const auto& demand : {needs_plane_, needs_matrix_, refuses_matrix_, needs_lattice_})
+            if (demand) refuse(*demand, "belongs to a plane; this experiment creates a mesh");
+    }
+    if (needs_mesh_ && !mesh_) refuse(*needs_mesh_, "belongs to a mesh; write 'create mesh \"FILE.obj\"'");
+    if (needs_depth_ && !volume_ && !mesh_)
+        refuse(*needs_depth_, "belongs to a volume or a mesh; write 'create volume COLUMNS ROWS LAYERS'");
     if (needs_volume_ && !volume_)
         refuse(*needs_volume_, "belongs to a volume; write 'create volume COLUMNS ROWS LAYERS'");
     if (needs_matrix_ && !matrix_) refuse(*needs_matrix_, "needs a matrix; write 'create matrix COLUMNS ROWS'");
     if (refuses_matrix_ && matrix_)
         refuse(*refuses_matrix_, "needs free cells; the elements of a matrix stay in place");
-    if (needs_lattice_ && !keeps_places(space_of(experiment))) {
+    for (const auto& demand : {needs_lattice_, needs_places_}) {
+        if (!demand || keeps_places(space_of(experiment))) continue;
         refuse(
-            *needs_lattice_,
+            *demand,
             "needs a lattice (a matrix, or a single sqr_grid without 'divide' and 'move') or a volume; free cells have "
             "X and Y");
     }
@@ -94,7 +102,9 @@ void Script::check_pictures() const {
 }
 
 void Script::check_maps() const {
-    if (!draws_map_ || experiment.texture || keeps_places(space_of(experiment))) return;
+    if (!draws_map_ || experiment.texture || on_grid(space_of(experiment))) return;
+    if (mesh_)
+        throw error_at(experiment, draws_map_->place, "a mesh makes no height or normal map; it makes .ply files");
     throw error_at(experiment, draws_map_->place,
                    "free cells make no height or normal map by themselves; add 'texture size WIDTH HEIGHT'");
 }

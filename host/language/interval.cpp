@@ -75,7 +75,7 @@ public:
 private:
     Interval of_grid(Quantity quantity) const {
         const Space space = space_of(experiment_);
-        if (!keeps_places(space)) return {0.0, infinity, true};
+        if (!on_grid(space)) return {0.0, infinity, true};
         const bool grows = std::ranges::any_of(
             experiment_.rules, [](const Rule& rule) { return std::holds_alternative<Expand>(rule.action); });
         const bool place = quantity == Quantity::row || quantity == Quantity::column || quantity == Quantity::layer;

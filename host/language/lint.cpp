@@ -21,16 +21,25 @@ struct Entry {
     Lint find;
 };
 
-constexpr std::array lints{
-    Entry{"idle-rule", find_idle_rules},           Entry{"impossible", find_impossible_conditions},
-    Entry{"dangling-and", find_dangling_and},      Entry{"idle-phase", find_idle_phases},
-    Entry{"late-snapshot", find_late_snapshots},   Entry{"repeated", find_repeated_settings},
-    Entry{"unstable", find_unstable_steps},        Entry{"late-use", find_late_uses},
-    Entry{"outside", find_cells_outside},          Entry{"odd-start", find_odd_starts},
-    Entry{"no-shape", find_shapes_that_are_none},  Entry{"unused-chemical", find_unused_chemicals},
-    Entry{"unused-mapping", find_unused_mappings}, Entry{"unused-colour", find_unused_colours},
-    Entry{"equal-outputs", find_equal_outputs},    Entry{"unused-parameter", find_unused_parameters},
-    Entry{"unused-field", find_unused_fields},     Entry{"unused-stencil", find_unused_stencils}};
+constexpr std::array lints{Entry{"idle-rule", find_idle_rules},
+                           Entry{"impossible", find_impossible_conditions},
+                           Entry{"dangling-and", find_dangling_and},
+                           Entry{"idle-phase", find_idle_phases},
+                           Entry{"late-snapshot", find_late_snapshots},
+                           Entry{"repeated", find_repeated_settings},
+                           Entry{"unstable", find_unstable_steps},
+                           Entry{"late-use", find_late_uses},
+                           Entry{"outside", find_cells_outside},
+                           Entry{"odd-start", find_odd_starts},
+                           Entry{"no-shape", find_shapes_that_are_none},
+                           Entry{"mended-mesh", find_mended_meshes},
+                           Entry{"unused-chemical", find_unused_chemicals},
+                           Entry{"unused-mapping", find_unused_mappings},
+                           Entry{"unused-colour", find_unused_colours},
+                           Entry{"equal-outputs", find_equal_outputs},
+                           Entry{"unused-parameter", find_unused_parameters},
+                           Entry{"unused-field", find_unused_fields},
+                           Entry{"unused-stencil", find_unused_stencils}};
 
 }  // namespace
 

@@ -3,6 +3,7 @@
 #include "core/prepattern.hpp"
 #include "core/space.hpp"
 #include "core/starts.hpp"
+#include "core/surface.hpp"
 #include "language/lints.hpp"
 
 #include <fmt/format.h>
@@ -19,7 +20,7 @@ namespace {
 bool creates(const Statement& statement) {
     return std::holds_alternative<CreateCell>(statement) || std::holds_alternative<CreateGrid>(statement) ||
            std::holds_alternative<CreateMatrix>(statement) || std::holds_alternative<CreateVolume>(statement) ||
-           std::holds_alternative<CreateShape>(statement);
+           std::holds_alternative<CreateMesh>(statement) || std::holds_alternative<CreateShape>(statement);
 }
 
 bool uses(const Statement& statement) {
@@ -117,6 +118,15 @@ void find_shapes_that_are_none(const Sheet& sheet, Reporter& report) {
         if (!looks_like_data(*shape, std::string(file.text))) continue;
         report(words.place(file),
                fmt::format("\"{}\" does not look like a drawing; every letter in it becomes a cell", file.text));
+    }
+}
+
+void find_mended_meshes(const Sheet& sheet, Reporter& report) {
+    for (std::size_t i = 0; i < sheet.experiment.prepattern.size(); ++i) {
+        const auto* mesh = std::get_if<CreateMesh>(&sheet.experiment.prepattern[i]);
+        if (mesh == nullptr) continue;
+        for (const std::string& note : mesh->surface->notes)
+            report(sheet.place(sheet.outline.prepattern[i], "mesh"), "of the mesh, " + note);
     }
 }
 

@@ -86,6 +86,7 @@ private:
     void look(const CreateGrid&) {}
     void look(const CreateMatrix&) {}
     void look(const CreateVolume&) {}
+    void look(const CreateMesh&) {}
     void look(const CreateShape&) {}
     void look(const Always&) {}
     void look(const Compare& compare) {
@@ -153,12 +154,12 @@ bool equal(const std::optional<Projection>& one, const std::optional<Projection>
 
 // A member that is added one day makes this line wrong, and so cannot be forgotten.
 bool equal(const Output& one, const Output& other) {
-    const auto& [chemical, colormap, range, own_range, drawing, strength, expressions, name, projection] = one;
+    const auto& [chemical, colormap, range, own_range, drawing, strength, expressions, name, projection, view] = one;
     const auto same = [](const Expression& a, const Expression& b) { return a.nodes == b.nodes; };
     return std::ranges::equal(expressions, other.expressions, same) && name == other.name &&
            chemical == other.chemical && equal(colormap, other.colormap) && range == other.range &&
            own_range == other.own_range && drawing == other.drawing && strength == other.strength &&
-           equal(projection, other.projection);
+           equal(projection, other.projection) && view == other.view;
 }
 
 }  // namespace

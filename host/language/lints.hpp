@@ -56,6 +56,7 @@ void find_dangling_and(const Sheet&, Reporter&);
 void find_late_uses(const Sheet&, Reporter&);
 void find_cells_outside(const Sheet&, Reporter&);
 void find_shapes_that_are_none(const Sheet&, Reporter&);
+void find_mended_meshes(const Sheet&, Reporter&);
 void find_odd_starts(const Sheet&, Reporter&);
 
 // What is described and not needed: lint_unused.cpp.

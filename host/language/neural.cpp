@@ -73,7 +73,7 @@ Action parse_neural(Script& script, Cursor& cursor) {
         Operand& operand = *option == 0 ? neural.rate : neural.diffusion;
         operand = parse_operand(script, cursor, *option == 0 ? "the rate of the reaction" : "the rate of diffusion");
     }
-    script.needs_lattice(cursor, file);
+    script.needs_places(cursor, file);
     return neural;
 }
 

@@ -63,7 +63,6 @@ bool needs_lattice(Quantity quantity) {
         case Quantity::column:
         case Quantity::rows:
         case Quantity::columns:
-        case Quantity::laplacian:
         case Quantity::gradient_x:
         case Quantity::gradient_y:
         case Quantity::stencil:
@@ -74,13 +73,14 @@ bool needs_lattice(Quantity quantity) {
 }
 
 bool needs_volume(Quantity quantity) {
-    return quantity == Quantity::z || quantity == Quantity::layer || quantity == Quantity::layers ||
-           quantity == Quantity::gradient_z;
+    return quantity == Quantity::layer || quantity == Quantity::layers || quantity == Quantity::gradient_z;
 }
 
 void note_needs(Script& script, const Cursor& cursor, const Token& at, Quantity quantity) {
     if (needs_lattice(quantity)) script.needs_lattice(cursor, at);
     if (needs_volume(quantity)) script.needs_volume(cursor, at);
+    if (quantity == Quantity::z) script.needs_depth(cursor, at);
+    if (quantity == Quantity::laplacian) script.needs_places(cursor, at);
 }
 
 [[noreturn]] void unknown_operand(const Script& script, const Cursor& cursor, std::string_view what) {

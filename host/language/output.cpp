@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <array>
 #include <cctype>
+#include <cmath>
 
 namespace pelage::language {
 
@@ -80,8 +81,8 @@ void parse_colormap(Script& script, Cursor& cursor) {
 
 namespace {
 
-constexpr std::array<std::string_view, 8> output_words{"range", "colormap", "height",  "normal",
-                                                       "as",    "slice",    "maximum", "transparent"};
+constexpr std::array<std::string_view, 9> output_words{"range", "colormap", "height",      "normal", "as",
+                                                       "slice", "maximum",  "transparent", "from"};
 
 // slice x|y|z AT | maximum | transparent, the first word having been read.
 Projection parse_projection(Cursor& cursor, std::string_view kind) {
@@ -92,6 +93,19 @@ Projection parse_projection(Cursor& cursor, std::string_view kind) {
     slice.axis = static_cast<Axis>(cursor.choose(axes));
     slice.at = cursor.integer("the place of the slice", 0, largest_cell_count);
     return slice;
+}
+
+// X Y Z: the direction in which the viewer stands.
+std::array<double, 3> parse_view(Cursor& cursor) {
+    const Token& first = cursor.peek();
+    std::array<double, 3> view{};
+    view[0] = cursor.number("the viewer's x");
+    view[1] = cursor.number("the viewer's y");
+    view[2] = cursor.number("the viewer's z");
+    const double length = std::hypot(view[0], view[1], view[2]);
+    if (!(length > 0.0) || !std::isfinite(length))
+        cursor.fail(first, "a viewer at (0, 0, 0) sees nothing; the three numbers are a direction from the middle");
+    return view;
 }
 
 // A name for the picture's file.
@@ -121,7 +135,7 @@ void parse_range(Cursor& cursor, Output& output) {
 // An option that the kind of picture has no use for.
 void check_option(const Cursor& cursor, const Token& option, const Output& output) {
     const bool normal = output.drawing == Drawing::normal;
-    if (option.text == "slice" || option.text == "maximum") return;
+    if (option.text == "slice" || option.text == "maximum" || option.text == "from") return;
     if (option.text == "transparent" && (output.rgb() || output.drawing != Drawing::colours))
         cursor.fail(option, "a transparent picture shows one value through a colormap");
     if (output.rgb() && option.text != "as" && option.text != "transparent")
@@ -177,6 +191,11 @@ PendingOutput parse_output_options(Script& script, Cursor& cursor) {
         }
         if (*option == 4) output.name = parse_file_word(cursor);
         if (*option < 5) continue;
+        if (*option == 8) {
+            script.needs_mesh(cursor, token);
+            output.view = parse_view(cursor);
+            continue;
+        }
         if (output.projection)
             cursor.fail(token, "a picture shows a volume in one way; write another 'output' for the other");
         script.needs_volume(cursor, token);

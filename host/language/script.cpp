@@ -115,10 +115,12 @@ std::filesystem::path Script::resolve(std::string_view file_name) const {
 void Script::create(const Cursor& cursor, const Token& at, const Statement& statement, std::size_t cells) {
     const bool matrix = std::holds_alternative<CreateMatrix>(statement);
     const bool volume = std::holds_alternative<CreateVolume>(statement);
-    if (cells_ > 0 && (matrix || matrix_ || volume || volume_)) {
-        cursor.fail(at,
-                    "a matrix holds all cells, and so do charges and a volume; give one 'create matrix', 'create "
-                    "charges' or 'create volume' and no other 'create'");
+    const bool mesh = std::holds_alternative<CreateMesh>(statement);
+    if (cells_ > 0 && (matrix || matrix_ || volume || volume_ || mesh || mesh_)) {
+        cursor.fail(
+            at,
+            "a matrix holds all cells, and so do charges, a volume and a mesh; give one 'create matrix', 'create "
+            "charges', 'create volume' or 'create mesh' and no other 'create'");
     }
     if (cells > largest_cell_count - cells_) {
         cursor.fail(at, fmt::format("'{}' makes {} cells; at most {} are allowed", at.text, cells_ + cells,
@@ -126,6 +128,7 @@ void Script::create(const Cursor& cursor, const Token& at, const Statement& stat
     }
     matrix_ = matrix_ || matrix;
     volume_ = volume_ || volume;
+    mesh_ = mesh_ || mesh;
     cells_ += cells;
     start(statement, cursor.place(at));
 }
@@ -164,6 +167,12 @@ void Script::needs_lattice(const Cursor& cursor, const Token& at) { note_first(n
 void Script::needs_plane(const Cursor& cursor, const Token& at) { note_first(needs_plane_, cursor, at); }
 
 void Script::needs_volume(const Cursor& cursor, const Token& at) { note_first(needs_volume_, cursor, at); }
+
+void Script::needs_depth(const Cursor& cursor, const Token& at) { note_first(needs_depth_, cursor, at); }
+
+void Script::needs_mesh(const Cursor& cursor, const Token& at) { note_first(needs_mesh_, cursor, at); }
+
+void Script::needs_places(const Cursor& cursor, const Token& at) { note_first(needs_places_, cursor, at); }
 
 void Script::expands(const Cursor& cursor, const Token& at) {
     needs_matrix(cursor, at);

@@ -107,8 +107,11 @@ public:
     void needs_matrix(const Cursor&, const Token& at);
     void refuses_matrix(const Cursor&, const Token& at);
     void needs_lattice(const Cursor&, const Token& at);
-    void needs_plane(const Cursor&, const Token& at);      // anything but a volume
-    void needs_volume(const Cursor&, const Token& at);     // and nothing else
+    void needs_plane(const Cursor&, const Token& at);   // anything but a volume
+    void needs_volume(const Cursor&, const Token& at);  // and nothing else
+    void needs_depth(const Cursor&, const Token& at);   // a volume or a mesh
+    void needs_mesh(const Cursor&, const Token& at);
+    void needs_places(const Cursor&, const Token& at);     // anything but free cells
     void expands(const Cursor&, const Token& at);          // once for each `expand`, in order
     void shows_picture(const Cursor&, const Token& file);  // of the chemical defined next
     void draws_map(const Cursor&, const Token& at);        // a height or normal map
@@ -145,11 +148,15 @@ private:
     std::uint64_t phase_end_ = forever;
     bool matrix_ = false;  // or charges
     bool volume_ = false;
+    bool mesh_ = false;
     std::optional<Demand> needs_matrix_;
     std::optional<Demand> refuses_matrix_;
     std::optional<Demand> needs_lattice_;
     std::optional<Demand> needs_plane_;
     std::optional<Demand> needs_volume_;
+    std::optional<Demand> needs_depth_;
+    std::optional<Demand> needs_mesh_;
+    std::optional<Demand> needs_places_;
     std::vector<Place> expansions_;
     std::vector<Picture> pictures_;
     std::vector<StartPlace> starts_;  // of each statement of the prepattern

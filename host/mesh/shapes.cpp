@@ -2,7 +2,6 @@
 #include "mesh/shapes.hpp"
 
 #include "core/error.hpp"
-#include "core/experiment.hpp"
 
 #include <fmt/format.h>
 
@@ -61,9 +60,9 @@ void cut_square(Mesh& mesh, std::size_t a, std::size_t b, std::size_t c, std::si
 }
 
 void check_size(std::size_t lines, std::size_t each, const char* shape) {
-    const std::size_t most = std::min(largest_cell_count, largest_triangle_count / 2);
-    if (lines > most / each)
-        throw Error(fmt::format("a {} of {} x {}; at most {} vertices are allowed", shape, lines, each, most));
+    if (lines > largest_shape_count / each)
+        throw Error(
+            fmt::format("a {} of {} x {}; at most {} vertices are allowed", shape, lines, each, largest_shape_count));
 }
 
 }  // namespace

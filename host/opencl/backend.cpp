@@ -30,6 +30,7 @@ public:
         }
         return std::visit(
             Overloaded{[](const Lattice&) { return std::string(); }, [](const Volume&) { return std::string(); },
+                       [](const MeshCells&) { return std::string(); },
                        [&](const FreeCells&) { return why_not_cells(experiment); }},
             space_of(experiment));
     }

@@ -6,6 +6,7 @@
 #include "opencl/aggregate/tissue.hpp"
 #include "opencl/cells/tissue.hpp"
 #include "opencl/lattice/tissue.hpp"
+#include "opencl/mesh/tissue.hpp"
 
 namespace pelage {
 
@@ -16,6 +17,7 @@ std::unique_ptr<Tissue> make_opencl_tissue(std::shared_ptr<const Session> sessio
                                                             : make_opencl_lattice(session, experiment, initial);
                                  },
                                  [&](const Volume&) { return make_opencl_lattice(session, experiment, initial); },
+                                 [&](const MeshCells&) { return make_opencl_mesh(session, experiment, initial); },
                                  [&](const FreeCells&) {
                                      CellsOptions options;
                                      options.search = session->options().neighbours;

@@ -152,6 +152,8 @@ std::optional<TileResult> run_tile(Tissue& tissue, const Experiment& experiment,
 void check_measurable(const Experiment& experiment) {
     const Space space = space_of(experiment);
     if (std::holds_alternative<Lattice>(space)) return;
+    if (std::holds_alternative<MeshCells>(space))
+        throw Error(experiment.source + ": a sweep measures planes; a mesh has no rows and columns");
     if (keeps_places(space)) throw Error(experiment.source + ": a sweep measures planes; a volume has layers, too");
     throw Error(experiment.source + ": a sweep measures lattices; free cells have no rows and columns");
 }

@@ -78,6 +78,8 @@ LatticeSize lattice_size(const Experiment& experiment) {
     const auto* lattice = std::get_if<Lattice>(&space);
     if (std::holds_alternative<Volume>(space))
         throw Error(experiment.source + ": a volume has one kernel, there is nothing to tune; lattices have several");
+    if (std::holds_alternative<MeshCells>(space))
+        throw Error(experiment.source + ": a mesh has one kernel, there is nothing to tune; lattices have several");
     if (lattice == nullptr) {
         throw Error(experiment.source +
                     ": free cells have one kernel, there is nothing to tune; lattices have several");

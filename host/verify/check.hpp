@@ -109,6 +109,7 @@ std::vector<Check> law_checks(std::uint64_t seed);
 std::vector<Check> cell_checks();
 std::vector<Check> aggregate_checks();
 std::vector<Check> learn_checks();
+std::vector<Check> mesh_checks();
 std::vector<Check> primitive_checks(std::uint64_t seed);
 std::vector<Check> function_checks();
 std::vector<Check> neighbour_checks(std::uint64_t seed);

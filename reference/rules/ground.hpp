@@ -15,6 +15,7 @@ public:
     virtual ~Ground() = default;
 
     std::vector<std::vector<T>> fields;  // [field][cell]
+    std::vector<T> z;                    // [cell], of a mesh
 
     // For each cell, of values of all cells: the sum over its neighbours, each with its share of the stencil, of theirs
     // less the cell's own.

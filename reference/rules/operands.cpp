@@ -69,6 +69,7 @@ Column<T> Sight<T>::column(const Operand& operand) {
         case Quantity::y:
             return Column<T>(old.y);
         case Quantity::z: {
+            if (!ground.z.empty()) return Column<T>(ground.z);
             const std::vector<double> z = centres(0.0, old.layers);
             const std::size_t layer = old.columns * old.rows;
             return of_each<T>(old.cells(), [&](auto cell) { return z.empty() ? 0.0 : z[cell / layer]; });

@@ -14,7 +14,7 @@ namespace {
 
 const std::string corner = "v 0 0 0\nv 1 0 0\nv 0 1 0\n";
 
-std::string refusal(const std::string& text) {
+std::string obj_refusal(const std::string& text) {
     try {
         parse_obj(text, "a.obj");
         return "";
@@ -82,7 +82,7 @@ TEST_CASE("a malformed OBJ file is refused with line, finding and what is allowe
     };
     for (const auto& [text, begin] : wrong) {
         INFO(text);
-        CHECK_THAT(refusal(text), Catch::Matchers::StartsWith(begin));
+        CHECK_THAT(obj_refusal(text), Catch::Matchers::StartsWith(begin));
     }
 }
 
@@ -90,7 +90,7 @@ TEST_CASE("a face of too many corners is refused") {
     std::string face = corner + "f";
     for (int i = 0; i < 1001; ++i) face += " 1";
 
-    CHECK_THAT(refusal(face), Catch::Matchers::StartsWith("a.obj:4: a face of 1001 corners; at most 1000"));
+    CHECK_THAT(obj_refusal(face), Catch::Matchers::StartsWith("a.obj:4: a face of 1001 corners; at most 1000"));
     face.resize(face.size() - 2);
-    CHECK(refusal(face).empty());
+    CHECK(obj_refusal(face).empty());
 }

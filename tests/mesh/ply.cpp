@@ -17,7 +17,7 @@ using namespace pelage;
 
 namespace {
 
-std::string refusal(const std::string& text) {
+std::string ply_refusal(const std::string& text) {
     try {
         parse_ply(text, "a.ply");
         return "";
@@ -132,13 +132,13 @@ TEST_CASE("a malformed PLY file is refused with its place, finding and what is a
     };
     for (const auto& [text, begin] : wrong) {
         INFO(text);
-        CHECK_THAT(refusal(text), Catch::Matchers::StartsWith(begin));
+        CHECK_THAT(ply_refusal(text), Catch::Matchers::StartsWith(begin));
     }
 }
 
 TEST_CASE("a PLY file that is cut off anywhere is refused") {
     const std::string whole = binary(false);
-    for (std::size_t end = 0; end < whole.size(); ++end) CHECK_FALSE(refusal(whole.substr(0, end)).empty());
+    for (std::size_t end = 0; end < whole.size(); ++end) CHECK_FALSE(ply_refusal(whole.substr(0, end)).empty());
 }
 
 TEST_CASE("a PLY file with any one wrong byte is taken or refused") {
@@ -148,7 +148,7 @@ TEST_CASE("a PLY file with any one wrong byte is taken or refused") {
             for (const char wrong : {'\0', '\xff', '1', '\n'}) {
                 std::string changed = whole;
                 changed[at] = wrong;
-                CHECK_NOTHROW(refusal(changed));
+                CHECK_NOTHROW(ply_refusal(changed));
             }
         }
     }
@@ -158,9 +158,9 @@ TEST_CASE("a list of too many corners is refused, one that nobody reads is passe
     std::string many = "1500";
     for (int i = 0; i < 1500; ++i) many += " 0";
 
-    CHECK_THAT(refusal(data(places + many)),
+    CHECK_THAT(ply_refusal(data(places + many)),
                Catch::Matchers::StartsWith("a.ply:13: a face of 1500 corners; at most 1000"));
-    CHECK(refusal(ascii(vertex + face + "property list int int more\n", places + "3 0 1 2 " + many)).empty());
+    CHECK(ply_refusal(ascii(vertex + face + "property list int int more\n", places + "3 0 1 2 " + many)).empty());
 }
 
 TEST_CASE("a PLY file that is written is read again") {

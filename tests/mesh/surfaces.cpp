@@ -42,7 +42,7 @@ double volume(const Mesh& mesh) {  // above 0 where triangles run anticlockwise 
 
 double sum_of(const std::vector<double>& values) { return std::accumulate(values.begin(), values.end(), 0.0); }
 
-std::string refusal(Mesh mesh) {
+std::string tidy_refusal(Mesh mesh) {
     try {
         tidy(mesh);
         return "";
@@ -175,8 +175,8 @@ TEST_CASE("tidying keeps edges of more than two triangles, and says so") {
 }
 
 TEST_CASE("a mesh of which nothing is left is refused") {
-    CHECK_THAT(refusal({{{0, 0, 0}, {0, 0, 0}, {1, 0, 0}}, {{0, 1, 2}}}), Catch::Contains("no triangle"));
-    CHECK_THAT(refusal({}), Catch::Contains("no triangle"));
+    CHECK_THAT(tidy_refusal({{{0, 0, 0}, {0, 0, 0}, {1, 0, 0}}, {{0, 1, 2}}}), Catch::Contains("no triangle"));
+    CHECK_THAT(tidy_refusal({}), Catch::Contains("no triangle"));
 }
 
 TEST_CASE("the order for caches is a permutation that brings neighbours together") {

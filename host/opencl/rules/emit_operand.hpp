@@ -15,7 +15,7 @@ namespace pelage {
 class OperandEmitter {
 public:
     OperandEmitter(const Experiment& experiment, std::size_t rule, Numbers& numbers)
-        : experiment_(experiment), places_(keeps_places(space_of(experiment))), rule_(rule), numbers_(numbers) {}
+        : experiment_(experiment), places_(on_grid(space_of(experiment))), rule_(rule), numbers_(numbers) {}
 
     std::string text(const Operand&);   // of type real
     std::string whole(const Operand&);  // of type uintv; for is_whole() quantities
@@ -38,7 +38,7 @@ private:
     std::string around(const NamedStencil&, std::size_t chemical);
 
     const Experiment& experiment_;
-    bool places_;  // cells keep theirs: fields are known
+    bool places_;  // cells lie in columns and rows: fields are known
     std::size_t rule_;
     Numbers& numbers_;
     std::uint32_t randoms_ = 0;

@@ -1,0 +1,142 @@
+// See check.hpp: cells at the vertices of meshes, step by step against the reference.
+#include "core/prepattern.hpp"
+#include "core/surface.hpp"
+#include "language/parse.hpp"
+#include "mesh/shapes.hpp"
+#include "mesh/surface.hpp"
+#include "reference/backend.hpp"
+#include "verify/bounded.hpp"
+#include "verify/cases.hpp"
+#include "verify/check.hpp"
+
+#include <fmt/format.h>
+
+#include <string>
+#include <variant>
+#include <vector>
+
+namespace pelage::verify {
+
+namespace {
+
+constexpr std::uint64_t mesh_iterations = 24;
+
+struct MeshCase {
+    const char* name;
+    bool quick;
+    const char* text;
+};
+
+const std::vector<MeshCase>& mesh_cases() {
+    static const auto& cases = *new const std::vector<MeshCase>{
+        {"mesh/uniform", true, R"(
+define chemical A floor none
+define chemical B limit 4.5
+define time_step 0.02
+use chemical A conc 4 dev 1 diff 0.8
+use chemical B conc 4 dev 0.5 diff 0.2
+create icosphere 2
+rule always react A B turing alpha 16 beta 12
+)"},
+        {"mesh/cotangent", true, R"(
+define chemical A floor none
+define chemical B
+define chemical C
+use chemical A conc 0.5 dev 0.5 diff 0.12 dev 0.1
+use chemical B conc 0.5 dev 0.5 diff 0.06
+use chemical C conc 1 dev 0.5
+create torus 19 11 weights cotangent scale 1.5
+set cells 20 to 40 chemical A conc 0.5 diff 0
+rule always react A B gray-scott f 0.037 k (0.06 + 0.0001 * Z)
+rule if A conc > 0.5 change B diff 0.001 dev 0.0005
+)"},
+        {"mesh/rules", true, R"(
+define chemical A limit 8 floor -2
+define chemical B floor none
+define time_step 0.25
+define field bent (sin(X / 3) * Y + Z)
+use seed 77
+use chemical A conc (2 + RANDOM) diff 0.1
+use chemical B conc (0.1 * Z) diff 0.15
+create icosphere 2 weights cotangent
+phase "first" 9
+rule always map A conc 0 6 to M -1 1
+rule if NEIGHBORS == 5 change A conc 0.5
+rule probability 0.25 change B conc M dev 0.25
+rule if Z > 1 set A conc (B + 0.125 * bent)
+rule every 3 if AGE > 4 and
+rule if X in -2 2 change B diff 0.0125
+phase "second" 100
+use chemical A diff 0.2
+define chemical A limit 5 floor none
+rule always react A by (0.1 * laplacian(B) - 0.01 * A * TIME) B by (RANDOM - 0.5)
+rule if (ITERATION >= 15 and RANDOM < 0.5) set B conc 0.25
+)"},
+        {"mesh/still", false, R"(
+define chemical A floor none
+use chemical A conc 1 dev 1
+create icosphere 0
+rule always react A by (laplacian(A) * 0.125 + 0.001 * NEIGHBORS)
+)"},
+    };
+    return cases;
+}
+
+// The case of a lattice on a mesh of nearly as many cells.
+Experiment on_mesh(const char* lattice_case_name) {
+    Experiment experiment = lattice_case(lattice_case_name).experiment({16, 8});
+    for (Statement& statement : experiment.prepattern) {
+        if (std::holds_alternative<CreateMatrix>(statement))
+            statement = CreateMesh{make_surface(torus(16, 8), MeshWeights::cotangent)};
+    }
+    return experiment;
+}
+
+Outcome check_mesh(const Experiment& experiment, Place& place) {
+    Outcome outcome;
+    std::vector<Setting> settings{{}, {.work_group = 3}, {.variants = 1}};
+    if (place.full() && place.device().fp64) settings.push_back({.precision = Precision::double_});
+    std::vector<Snapshot> states;
+    for (const Setting& setting : settings) {
+        const Snapshot initial = initial_state(experiment, setting.precision);
+        const auto expected = reference_backend(setting.precision)->make_tissue(experiment, initial);
+        const auto found = place.backend(setting).make_tissue(experiment, initial);
+        const bool first = states.empty();
+        if (first) states.push_back(initial);
+        for (std::uint64_t i = 1; i <= mesh_iterations; ++i) {
+            expected->advance(1);
+            found->advance(1);
+            const Snapshot there = expected->read();
+            add(outcome.tally, there, found->read(), setting.precision,
+                fmt::format("{} iteration {}", setting.text(), i));
+            if (first) states.push_back(there);
+        }
+    }
+    if (states.front().conc == states.back().conc)
+        return {Verdict::mistrusted, {}, "the reference ends as it began", {}};
+    if (outcome.tally.equal()) return outcome;
+    if (!rounds_exactly(place, {})) {
+        outcome.tally = single_iterations(experiment, states, place, {});
+        outcome.message = bound_message();
+        if (within_bound(outcome.tally)) return outcome;
+    }
+    outcome.verdict = Verdict::failed;
+    return outcome;
+}
+
+}  // namespace
+
+std::vector<Check> mesh_checks() {
+    std::vector<Check> checks;
+    for (const MeshCase& one : mesh_cases())
+        checks.push_back({one.name, "mesh step", one.quick, [&one](Place& place) {
+                              return check_mesh(parse_experiment(one.text, one.name, "."), place);
+                          }});
+    checks.push_back({"mesh/reactions", "mesh step", false,
+                      [](Place& place) { return check_mesh(on_mesh("reaction/fused"), place); }});
+    checks.push_back(
+        {"mesh/neural", "mesh step", false, [](Place& place) { return check_mesh(on_mesh("neural/wrap"), place); }});
+    return checks;
+}
+
+}  // namespace pelage::verify
