@@ -7,6 +7,7 @@
 #include "opencl/cells/tissue.hpp"
 #include "opencl/lattice/tissue.hpp"
 #include "opencl/mesh/tissue.hpp"
+#include "opencl/volume/tissue.hpp"
 
 namespace pelage {
 
@@ -16,7 +17,7 @@ std::unique_ptr<Tissue> make_opencl_tissue(std::shared_ptr<const Session> sessio
                                      return lattice.charges ? make_opencl_aggregate(session, experiment, initial)
                                                             : make_opencl_lattice(session, experiment, initial);
                                  },
-                                 [&](const Volume&) { return make_opencl_lattice(session, experiment, initial); },
+                                 [&](const Volume&) { return make_opencl_volume(session, experiment, initial); },
                                  [&](const MeshCells&) { return make_opencl_mesh(session, experiment, initial); },
                                  [&](const FreeCells&) {
                                      CellsOptions options;

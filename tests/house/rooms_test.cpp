@@ -100,7 +100,7 @@ TEST_CASE("neither backend includes the other, and the core includes nobody") {
 }
 
 TEST_CASE("kernels, OpenCL and reference have rooms of the same names") {
-    for (const char* room : {"lattice", "cells", "mesh", "neighbours", "rules"}) {
+    for (const char* room : {"lattice", "volume", "cells", "mesh", "neighbours", "rules"}) {
         INFO(room);
         CHECK(fs::is_directory(source / "kernels" / room));
         CHECK(fs::is_directory(source / "host/opencl" / room));

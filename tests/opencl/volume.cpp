@@ -80,3 +80,7 @@ TEST_CASE("volume: neither grows nor takes another space's state") {
     flat.layers = 0;
     CHECK_THROWS_WITH(tissue->write(flat), Catch::Matchers::Contains("cannot take each other's state"));
 }
+
+TEST_CASE("volume: a share of the cases of `pelage verify` in waves") {
+    test::check_cases("volume/", waves(3, 7), {1, 5});
+}

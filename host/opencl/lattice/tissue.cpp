@@ -15,7 +15,6 @@
 #include "opencl/lattice/step.hpp"
 #include "opencl/lattice/stream.hpp"
 #include "opencl/lattice/tile.hpp"
-#include "opencl/volume/step.hpp"
 
 #include <fmt/format.h>
 
@@ -50,8 +49,11 @@ std::vector<KernelNumber> phase_parameters(const Experiment& experiment, const L
 class OpenclLattice final : public Growable {
 public:
     OpenclLattice(std::shared_ptr<const Session> session, std::shared_ptr<const Experiment> experiment,
-                  const Snapshot& initial)
-        : Growable(std::move(experiment), initial), session_(std::move(session)), pace_(*session_) {
+                  const Snapshot& initial, MakeStep own_step)
+        : Growable(std::move(experiment), initial),
+          session_(std::move(session)),
+          pace_(*session_),
+          own_step_(std::move(own_step)) {
         do_write(initial);
     }
 
@@ -200,8 +202,7 @@ private:
     std::unique_ptr<LatticeKernel> make_step(const std::vector<bool>& active, bool test_intervals, const Choice& choice,
                                              std::uint64_t iteration) {
         note(fmt::format("from iteration {}: ", iteration), choice.text());
-        if (plan_.volume())
-            return std::make_unique<VolumeStep>(*session_, experiment(), plan_, active, test_intervals, choice);
+        if (own_step_) return own_step_(*session_, experiment(), plan_, active, test_intervals, choice);
         if (choice.path == Path::streamed) {
             return std::make_unique<StreamedStep>(*session_, experiment(), plan_, active, test_intervals, choice);
         }
@@ -240,6 +241,7 @@ private:
 
     std::shared_ptr<const Session> session_;
     Pace pace_;
+    MakeStep own_step_;  // empty: ours
     LatticePlan plan_;
     RuleUse every_use_;  // what any rule may need, at any time
     std::unique_ptr<LatticeState> state_;
@@ -259,8 +261,9 @@ private:
 }  // namespace
 
 std::unique_ptr<Tissue> make_opencl_lattice(std::shared_ptr<const Session> session,
-                                            std::shared_ptr<const Experiment> experiment, const Snapshot& initial) {
-    return std::make_unique<OpenclLattice>(std::move(session), std::move(experiment), initial);
+                                            std::shared_ptr<const Experiment> experiment, const Snapshot& initial,
+                                            MakeStep make_step) {
+    return std::make_unique<OpenclLattice>(std::move(session), std::move(experiment), initial, std::move(make_step));
 }
 
 }  // namespace pelage
