@@ -12,15 +12,15 @@ namespace pelage::verify {
 
 namespace {
 
-constexpr Stencil stencils[] = {Stencil::seven_point, Stencil::twenty_seven_point};
-constexpr Boundary boundaries[] = {Boundary::no_flux, Boundary::wrap, Boundary::absorbing};
+constexpr Stencil volume_stencils[] = {Stencil::seven_point, Stencil::twenty_seven_point};
+constexpr Boundary volume_boundaries[] = {Boundary::no_flux, Boundary::wrap, Boundary::absorbing};
 
 // One cell, lines along each axis, fewer layers than a wave has steps, odd ones, several strips.
 std::vector<Size> volume_sizes() {
     return {{1, 1, 1}, {1, 1, 9}, {9, 1, 1}, {1, 5, 2}, {7, 5, 3}, {16, 3, 4}, {33, 2, 9}, {18, 17, 6}, {5, 23, 7}};
 }
 
-Operand conc(std::size_t chemical) { return quantity(Quantity::concentration, chemical); }
+Operand volume_conc(std::size_t chemical) { return quantity(Quantity::concentration, chemical); }
 
 // U knows no bounds, V is held between two, S only keeps within its own.
 Experiment diffusing_volume(Lab lab) {
@@ -57,7 +57,7 @@ Experiment uneven_volume(Lab lab) {
     return lab.time_step(0.25).done();
 }
 
-void uneven_touch(Snapshot& state) {
+void uneven_volume_touch(Snapshot& state) {
     for (std::size_t cell = 0; cell < state.cells(); cell += 5) state.diff[0][cell] = 0.0;
 }
 
@@ -93,13 +93,13 @@ Experiment ruled_volume(Lab lab) {
     for (const Quantity what : all) {
         const auto place = lab.chemical(fmt::format("Q{}", static_cast<int>(what)), {1, 1}, {0, 0}, unbounded);
         lab.rule(change(place, quantity(what)));
-        lab.rule(change(place, number(0.25)), compare(quantity(what), Comparison::less, conc(fed)));
+        lab.rule(change(place, number(0.25)), compare(quantity(what), Comparison::less, volume_conc(fed)));
     }
     const auto slope = lab.chemical("S", {1, 1}, {0.1, 0}, unbounded);
     for (const Quantity what : {Quantity::gradient_x, Quantity::gradient_y, Quantity::gradient_z, Quantity::laplacian})
         lab.rule(change(slope, quantity(what, fed)), compare(quantity(what, slope), Comparison::less, number(0.5)));
     const auto mapping = lab.mapping("M");
-    lab.rule(Map{conc(fed), 6, 14, mapping, -1, 1});
+    lab.rule(Map{volume_conc(fed), 6, 14, mapping, -1, 1});
     lab.rule(change(fed, quantity(Quantity::mapping, mapping), 0.125), Probability{number(0.5)}).every = 2;
     lab.rule(And{}, compare(quantity(Quantity::layer), Comparison::greater_equal, quantity(Quantity::row)));
     lab.rule(Set{Target::concentration, fed, quantity(Quantity::random)}, Probability{number(0.05)});
@@ -139,15 +139,15 @@ std::vector<Case> volume_cases() {
         cases.push_back(
             {fmt::format("volume/{}", name), experiment, volume_sizes(), 40, std::move(touch), false, divides});
     };
-    for (const Stencil stencil : stencils) {
-        for (const Boundary boundary : boundaries)
+    for (const Stencil stencil : volume_stencils) {
+        for (const Boundary boundary : volume_boundaries)
             add(fmt::format("diffusion/{}/{}", word(stencil), word(boundary)), diffusing_volume, boundary, stencil,
                 false);
     }
     add("reaction/wrap", reacting_volume, Boundary::wrap, Stencil::seven_point, true);
-    add("rates/no-flux", uneven_volume, Boundary::no_flux, Stencil::seven_point, true, uneven_touch);
-    add("rates/wrap", uneven_volume, Boundary::wrap, Stencil::twenty_seven_point, true, uneven_touch);
-    add("rates/absorbing", uneven_volume, Boundary::absorbing, Stencil::seven_point, true, uneven_touch);
+    add("rates/no-flux", uneven_volume, Boundary::no_flux, Stencil::seven_point, true, uneven_volume_touch);
+    add("rates/wrap", uneven_volume, Boundary::wrap, Stencil::twenty_seven_point, true, uneven_volume_touch);
+    add("rates/absorbing", uneven_volume, Boundary::absorbing, Stencil::seven_point, true, uneven_volume_touch);
     add("rules/no-flux", ruled_volume, Boundary::no_flux, Stencil::seven_point, true);
     add("rules/wrap", ruled_volume, Boundary::wrap, Stencil::twenty_seven_point, true);
     add("rules/absorbing", ruled_volume, Boundary::absorbing, Stencil::seven_point, true);

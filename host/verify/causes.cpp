@@ -71,6 +71,7 @@ const std::vector<Dependence>& dependences() {
                                              {"division", {"cell step"}},
                                              {"cells, generated", {"division"}},
                                              {"aggregates", {}},
+                                             {"mesh step", {"gather", "functions", "random numbers"}},
                                              {"random experiments", {"single steps", "cells, generated"}}};
     return all;
 }

@@ -91,7 +91,7 @@ TEST_CASE("malformed definitions and prepatterns say where and what is allowed")
          "t.pex:4:10: '99999999999999999999' is out of range; the seed must be a whole number of 64 bits"},
         {grid, "create circle 10",
          "t.pex:4:8: unknown word 'circle'; allowed here: sqr_grid, sqr_circle, hex_grid, hex_circle, cell, shape, "
-         "matrix, charges, volume"},
+         "matrix, charges, volume, mesh, icosphere, torus"},
         {grid, "create sqr_grid 10",
          "t.pex:4:19: the line ends too early; the number of rows must be a whole number from 1 to 2147483647"},
         {grid, "create sqr_grid 0 10",
@@ -118,14 +118,14 @@ TEST_CASE("malformed definitions and prepatterns say where and what is allowed")
          "t.pex:4:14: 'body.shp' has no quotes; the shape file's name must be a text in double quotes"},
         {grid, R"(create shape "body.shp)", R"(t.pex:4:14: a quote is not closed; texts end with " on the same line)"},
         {grid, "create matrix 10 10",
-         "t.pex:4:8: a matrix holds all cells, and so do charges and a volume; give one 'create matrix', 'create "
-         "charges' or 'create volume' and no other 'create'"},
+         "t.pex:4:8: a matrix holds all cells, and so do charges, a volume and a mesh; give one 'create matrix', "
+         "'create charges', 'create volume' or 'create mesh' and no other 'create'"},
         {matrix, "create cell 0 0",
-         "t.pex:4:8: a matrix holds all cells, and so do charges and a volume; give one 'create matrix', 'create "
-         "charges' or 'create volume' and no other 'create'"},
+         "t.pex:4:8: a matrix holds all cells, and so do charges, a volume and a mesh; give one 'create matrix', "
+         "'create charges', 'create volume' or 'create mesh' and no other 'create'"},
         {matrix, "create matrix 4 4",
-         "t.pex:4:8: a matrix holds all cells, and so do charges and a volume; give one 'create matrix', 'create "
-         "charges' or 'create volume' and no other 'create'"},
+         "t.pex:4:8: a matrix holds all cells, and so do charges, a volume and a mesh; give one 'create matrix', "
+         "'create charges', 'create volume' or 'create mesh' and no other 'create'"},
         {"", "define chemical U\ncreate matrix 4 4 wrap absorbing",
          "t.pex:2:24: 'absorbing' is a second boundary; a matrix has one"},
         {grid, "set cell 100 chemical U conc 1",

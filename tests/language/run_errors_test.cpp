@@ -98,8 +98,8 @@ TEST_CASE("malformed phases, snapshots and outputs say where and what is allowed
         {grid, "output U range every",
          "t.pex:4:16: 'every' is not a number; the lowest value (or the word 'each') must be a number"},
         {grid, "output U range each 1",
-         "t.pex:4:21: unknown word '1'; allowed here: colormap, height, normal, as, slice, maximum, transparent, or "
-         "the end of the line"},
+         "t.pex:4:21: unknown word '1'; allowed here: colormap, height, normal, as, slice, maximum, transparent, "
+         "from, or the end of the line"},
         {grid, "output U normal",
          "t.pex:4:16: the line ends too early; the height of one unit, in cells must be a number"},
         {grid, "output U normal 2 range 0 1", "t.pex:4:19: a normal map has no range; its slopes have a strength"},
