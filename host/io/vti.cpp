@@ -18,7 +18,7 @@ void write_vti(const std::filesystem::path& path, const Snapshot& snapshot, cons
              fmt::format(R"(WholeExtent="{}" Origin="{} {} {}" Spacing="1 1 1")", extent,
                          (snapshot.origin_x - static_cast<double>(snapshot.columns)) / 2,
                          (snapshot.origin_y - static_cast<double>(snapshot.rows)) / 2,
-                         (0.0 - static_cast<double>(snapshot.layers)) / 2));
+                         snapshot.layers == 0 ? 0.0 : static_cast<double>(snapshot.layers) / -2));
     const auto& first = experiment.chemicals.empty() ? "" : experiment.chemicals[0].name;
     file.write(fmt::format("<Piece Extent=\"{}\">\n<CellData Scalars=\"{}\">\n", extent, xml_escaped(first)));
     for (std::size_t i = 0; i < experiment.chemicals.size(); ++i) {

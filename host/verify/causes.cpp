@@ -62,6 +62,8 @@ const std::vector<Dependence>& dependences() {
                                              {"rules", {"functions", "random numbers", "reactions"}},
                                              {"expansion", {"diffusion", "random numbers"}},
                                              {"single steps", {"rules", "polarity", "expansion", "saturation"}},
+                                             {"volumes", {"single steps", "networks"}},
+                                             {"learning", {"functions", "diffusion"}},
                                              {"shared steps", {"single steps"}},
                                              {"streamed steps", {"single steps"}},
                                              {"tiled steps", {"single steps"}},
