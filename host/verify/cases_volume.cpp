@@ -89,7 +89,7 @@ Experiment ruled_volume(Lab lab) {
                             Quantity::y,          Quantity::z,    Quantity::row,     Quantity::column,
                             Quantity::layer,      Quantity::rows, Quantity::columns, Quantity::layers,
                             Quantity::iteration,  Quantity::time, Quantity::random};
-    const auto fed = lab.chemical("F", {10, 4}, {0.05, 0}, unbounded);
+    const auto fed = lab.chemical("F", {10, 4}, {0.05, 0}, {0, 20});
     for (const Quantity what : all) {
         const auto place = lab.chemical(fmt::format("Q{}", static_cast<int>(what)), {1, 1}, {0, 0}, unbounded);
         lab.rule(change(place, quantity(what)));

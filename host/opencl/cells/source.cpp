@@ -28,8 +28,7 @@ enum Place : std::size_t {
 };
 
 std::size_t rules_place(const Experiment& experiment) {
-    const std::size_t end = bounds_place + 2 * experiment.chemicals.size();
-    return (end + number_alignment - 1) / number_alignment * number_alignment;
+    return numbers_begin(bounds_place + 2 * experiment.chemicals.size());
 }
 
 // Puts together the texts that fill the kernel.

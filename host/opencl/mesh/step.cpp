@@ -17,7 +17,9 @@ namespace {
 
 enum MeshPlace : std::size_t { dt_place, time_start_place, time_begin_place, bounds_place };
 
-std::size_t rules_place(const Experiment& experiment) { return bounds_place + 2 * experiment.chemicals.size(); }
+std::size_t rules_place(const Experiment& experiment) {
+    return numbers_begin(bounds_place + 2 * experiment.chemicals.size());
+}
 
 // The texts that fill the kernel.
 class MeshEmitter {
@@ -118,6 +120,7 @@ std::vector<KernelNumber> mesh_parameters(const Experiment& experiment, const Ph
     values[time_start_place] = experiment.time_at(phase.begin);
     values[time_begin_place] = static_cast<std::uint32_t>(phase.begin);
     for (const Bounds& bounds : phase.bounds) values.insert(values.end(), {bounds.floor, bounds.limit});
+    values.resize(rules_place(experiment));
     const std::vector<KernelNumber> of_rules = rule_parameters(experiment, precision);
     values.insert(values.end(), of_rules.begin(), of_rules.end());
     return values;

@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 
 #include <bit>
+#include <stdexcept>
 
 namespace pelage {
 
@@ -28,6 +29,7 @@ std::string Numbers::named(char kind, KernelNumber value) {
 }
 
 std::string Numbers::declarations(std::size_t first) const {
+    if (first != numbers_begin(first)) throw std::logic_error("the numbers of rules do not begin where tables may");
     std::string text;
     for (const Name& name : names_) {
         const char* const form = name.kind == 'k'   ? "const real k{} = R(parameters[{}]);\n"

@@ -12,8 +12,12 @@
 
 namespace pelage {
 
-// The first of the numbers of rules has a place in the buffer that is a multiple of this.
+// Tables are read four numbers at a time. The first of the numbers of rules has a place in the buffer that is a
+// multiple of this: the next one from `end` on, where what stands before them ends.
 inline constexpr std::size_t number_alignment = 4;
+inline constexpr std::size_t numbers_begin(std::size_t end) {
+    return (end + number_alignment - 1) / number_alignment * number_alignment;
+}
 
 using KernelNumber = std::variant<double, std::uint32_t>;  // a real number, or a whole one of 32 bits
 
@@ -27,7 +31,7 @@ public:
     std::string table(const std::vector<double>&);
     void declare(bool wanted) { declare_ = wanted; }
 
-    // `first`: place of the first of them in the buffer.
+    // `first`: place of the first of them in the buffer; see numbers_begin().
     std::string declarations(std::size_t first) const;
     std::size_t declared() const { return names_.size(); }
 
