@@ -118,7 +118,7 @@ TEST_CASE("numbers that are left out keep their places, and are not declared") {
     numbers.declare(true);
     CHECK(numbers.real(2) == "k2");
 
-    CHECK(numbers.declarations(10) == "const real k0 = R(parameters[10]);\nconst real k2 = R(parameters[12]);\n");
+    CHECK(numbers.declarations(12) == "const real k0 = R(parameters[12]);\nconst real k2 = R(parameters[14]);\n");
     CHECK(numbers.values() == std::vector<KernelNumber>{0.5, std::uint32_t{7}, 2.0});
     CHECK(parameter_words(numbers.values(), Precision::single_) ==
           std::vector<std::uint32_t>{std::bit_cast<std::uint32_t>(0.5f), 7, std::bit_cast<std::uint32_t>(2.0f)});
