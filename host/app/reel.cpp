@@ -20,8 +20,6 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr unsigned layers_shift = 32;  // of a volume's layers, which lie in the upper half of the rows
-
 bool shared(const Output& output) {
     return !output.range && !output.own_range && output.drawing != Drawing::normal && !output.rgb();
 }
@@ -94,19 +92,19 @@ void Reel::take_up(std::uint64_t resumed_at) {
 }
 
 std::optional<Reel::Frame> Reel::read_record() {
-    std::array<std::uint64_t, 4> shape{};
+    std::array<std::uint64_t, 5> shape{};
     std::array<double, 2> centre{};
     if (std::fread(shape.data(), sizeof shape, 1, file_.get()) != 1) return std::nullopt;
-    if (std::fread(centre.data(), sizeof centre, 1, file_.get()) != 1 || shape[3] > largest_cell_count)
+    if (std::fread(centre.data(), sizeof centre, 1, file_.get()) != 1 || shape[4] > largest_cell_count)
         return std::nullopt;
     Snapshot state;
     state.iteration = shape[0];
     state.columns = shape[1];
-    state.rows = shape[2] & 0xffffffffu;
-    state.layers = shape[2] >> layers_shift;
+    state.rows = shape[2];
+    state.layers = shape[3];
     state.origin_x = centre[0];
     state.origin_y = centre[1];
-    const auto cells = static_cast<std::size_t>(shape[3]);
+    const auto cells = static_cast<std::size_t>(shape[4]);
     for (auto* list : {&state.conc, &state.diff}) list->resize(experiment_.chemicals.size());
     state.mappings.resize(experiment_.mappings.size());
     each_cell_column([&](const char*, auto& column) { column.assign(cells, {}); }, state);
@@ -139,8 +137,7 @@ OutputValues Reel::computed(const Snapshot& state) const {
 }
 
 void Reel::write_record(const Snapshot& state, const OutputValues& computed) {
-    const std::array<std::uint64_t, 4> shape{state.iteration, state.columns,
-                                             state.rows | std::uint64_t{state.layers} << layers_shift, state.cells()};
+    const std::array<std::uint64_t, 5> shape{state.iteration, state.columns, state.rows, state.layers, state.cells()};
     const std::array<double, 2> centre{state.origin_x, state.origin_y};
     if (std::fseek(file_.get(), 0, SEEK_END) != 0) fail();
     records_.push_back({state.iteration, std::ftell(file_.get()), ranges_});

@@ -32,4 +32,15 @@ Tally single_iterations(const Experiment& experiment, const std::vector<Snapshot
     return tally;
 }
 
+void conclude_bounded(Outcome& outcome, const Experiment& experiment, const std::vector<Snapshot>& states, Place& place,
+                      const Setting& setting) {
+    if (outcome.tally.equal()) return;
+    if (!rounds_exactly(place, setting)) {
+        outcome.tally = single_iterations(experiment, states, place, setting);
+        outcome.message = bound_message();
+        if (within_bound(outcome.tally)) return;
+    }
+    outcome.verdict = Verdict::failed;
+}
+
 }  // namespace pelage::verify

@@ -22,4 +22,8 @@ std::string bound_message();
 // One iteration from each of the reference's states, on both sides.
 Tally single_iterations(const Experiment&, const std::vector<Snapshot>& states, Place&, const Setting&);
 
+// Of a run that differs somewhere: failed, unless the device need not divide exactly and single iterations from the
+// reference's states stay within the bound; the tally is theirs then.
+void conclude_bounded(Outcome&, const Experiment&, const std::vector<Snapshot>& states, Place&, const Setting&);
+
 }  // namespace pelage::verify

@@ -89,13 +89,7 @@ Outcome check_cells(const CellCase& one, Place& place, const std::vector<Setting
         follow(outcome, expected, experiment, initial, place, settings[i],
                settings[i] == settings[0] && i > 0 ? "again" : settings[i].text());
     }
-    if (outcome.tally.equal()) return outcome;
-    if (!rounds_exactly(place, {})) {
-        outcome.tally = single_iterations(experiment, states, place, settings.front());
-        outcome.message = bound_message();
-        if (within_bound(outcome.tally)) return outcome;
-    }
-    outcome.verdict = Verdict::failed;
+    conclude_bounded(outcome, experiment, states, place, settings.front());
     return outcome;
 }
 
@@ -183,13 +177,7 @@ Outcome many_cells(Place& place) {
     many_more(outcome, place, together, {experiment, initial, 1});
     many_more(outcome, place, by_sorting, {experiment, initial, 1});
     if (states.back().cells() == initial.cells()) return {Verdict::mistrusted, {}, "no cell divides", {}};
-    if (outcome.tally.equal()) return outcome;
-    if (!rounds_exactly(place, {})) {
-        outcome.tally = single_iterations(experiment, states, place, {});
-        outcome.message = bound_message();
-        if (within_bound(outcome.tally)) return outcome;
-    }
-    outcome.verdict = Verdict::failed;
+    conclude_bounded(outcome, experiment, states, place, {});
     return outcome;
 }
 

@@ -114,13 +114,7 @@ Outcome check_mesh(const Experiment& experiment, Place& place) {
     }
     if (states.front().conc == states.back().conc)
         return {Verdict::mistrusted, {}, "the reference ends as it began", {}};
-    if (outcome.tally.equal()) return outcome;
-    if (!rounds_exactly(place, {})) {
-        outcome.tally = single_iterations(experiment, states, place, {});
-        outcome.message = bound_message();
-        if (within_bound(outcome.tally)) return outcome;
-    }
-    outcome.verdict = Verdict::failed;
+    conclude_bounded(outcome, experiment, states, place, {});
     return outcome;
 }
 

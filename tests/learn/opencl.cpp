@@ -66,8 +66,7 @@ TEST_CASE(
     REQUIRE(std::isfinite(expected.loss.total));
     REQUIRE_FALSE(same_bits(expected.learned.weights, test::small_weights<float>(task.shape).weights));
     OpenclOptions options;
-    std::tie(options.width, options.work_group) =
-        GENERATE(table<std::size_t, std::size_t>({{0, 0}, {1, 0}, {1, 48}}));
+    std::tie(options.width, options.work_group) = GENERATE(table<std::size_t, std::size_t>({{0, 0}, {1, 0}, {1, 48}}));
     task.memory = options.width == 1 ? 0 : std::size_t{1} << 30;
     check_equal(outcome(*opencl_learner(task, options), task.shape, order), expected);
 }

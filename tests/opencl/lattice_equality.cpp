@@ -14,9 +14,7 @@ OpenclOptions few_variants() {
     return made;
 }
 
-void check(const char* names) {
-    check_cases(names, few_variants());
-}
+void check(const char* names) { check_cases(names, few_variants()); }
 
 }  // namespace
 
