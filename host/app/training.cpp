@@ -115,6 +115,8 @@ public:
         if (!options.resume && fs::exists(checkpoint()))
             throw Error(
                 fmt::format("'{}' is there already: go on from it with --resume, or remove it", checkpoint().string()));
+        if (options.resume && !fs::exists(checkpoint()))  // said before programs are compiled
+            throw Error(fmt::format("'{}' is not there: there is no training to go on from", checkpoint().string()));
         const LearningTask task = learn::make_task(settings_, picture_);
         window_ =
             learn::window_of(picture_, settings_.shape.side, learn::scale_of(settings_, picture_), 0, settings_.wrap);

@@ -50,6 +50,7 @@ Experiment experiment_of(const AggregateCase& one) {
 Outcome check_aggregate(const AggregateCase& one, Place& place) {
     const std::size_t group = std::min<std::size_t>(8, place.device().max_work_group);
     std::vector<Setting> settings{{}, {.path = Path::shared}};
+    if (place.small()) settings = {{.work_group = group}, {.path = Path::shared, .work_group = group}};
     if (place.full()) {
         settings.push_back({.work_group = group});
         settings.push_back({.path = Path::shared, .work_group = group});

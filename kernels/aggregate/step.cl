@@ -63,7 +63,7 @@ static inline int pelage_share(int count, int unit, int group, int groups) {
 static inline int pelage_each(int count) { return (count - ITEM + PELAGE_ITEMS - 1) / PELAGE_ITEMS; }
 
 // The sum at a site over some charges.
-static inline long pelage_sum_at(uint site, global const uint* restrict charges, int begin, int end,
+static inline long pelage_sum_at(uint site, global const uint* charges, int begin, int end,
                                  local long* space) {
     int inverses[PART];
     long sum = 0l;
@@ -80,7 +80,7 @@ struct pelage_range {
 };
 
 // The places of a block take in the last charge.
-static inline struct pelage_range pelage_gather_block(global const uint* restrict places, global long* restrict sums,
+static inline struct pelage_range pelage_gather_block(global const uint* places, global long* sums,
                                                       int first, int each, uint last,
                                                       const struct pelage_particle particle) {
     int inverses[PART];
@@ -102,8 +102,8 @@ static inline struct pelage_range pelage_gather_block(global const uint* restric
 
 // The weights of the places of a block; a place without a candidate has none.
 static inline void pelage_weigh_block(const struct pelage_scale scale, const struct pelage_particle particle,
-                                      global const uint* restrict places, global const long* restrict sums, int first,
-                                      int each, ulong* restrict weights) {
+                                      global const uint* places, global const long* sums, int first,
+                                      int each, ulong* weights) {
     int above[PART];
     uint bits[PART];
     for (int n = 0; n < each; ++n)
@@ -117,10 +117,10 @@ static inline void pelage_weigh_block(const struct pelage_scale scale, const str
 
 // Sums take in the last charge. For each group: the range of its candidates' values, and what its share of the older
 // charges adds to each new candidate.
-static inline void pelage_gather(global const uint* restrict places, global long* restrict sums,
-                                 global const uint* restrict charges, global const struct pelage_front* restrict front,
+static inline void pelage_gather(global const uint* places, global long* sums,
+                                 global const uint* charges, global const struct pelage_front* front,
                                  const struct pelage_particle particle, int group, int groups,
-                                 global long* restrict ranges, global long* restrict parts, local long* space) {
+                                 global long* ranges, global long* parts, local long* space) {
     const uint last = front->last;
     const int begin = pelage_share(front->places, BLOCK, group, groups);
     const int end = pelage_share(front->places, BLOCK, group + 1, groups);
@@ -146,10 +146,10 @@ static inline void pelage_gather(global const uint* restrict places, global long
 }
 
 // The new candidates get their sums, then each candidate its weight, and each block the sum of its weights.
-static inline void pelage_weigh(global uint* restrict places, global long* restrict sums,
-                                global struct pelage_front* restrict front, const struct pelage_particle particle,
-                                int group, int groups, global const long* restrict ranges,
-                                global const long* restrict parts, global ulong* restrict blocks, local long* space) {
+static inline void pelage_weigh(global uint* places, global long* sums,
+                                global struct pelage_front* front, const struct pelage_particle particle,
+                                int group, int groups, global const long* ranges,
+                                global const long* parts, global ulong* blocks, local long* space) {
     const int begin = pelage_share(front->places, BLOCK, group, groups);
     const int end = pelage_share(front->places, BLOCK, group + 1, groups);
     long lowest = LONG_MAX, highest = LONG_MIN;

@@ -63,10 +63,10 @@ static inline int pelage_divide(mask where, real angle, int nth, int first, int 
 #define WHOLE_NEIGHBOURS TO_UINT(LOAD(neighbours_old + first))
 #define WHOLE_BIRTH TO_UINT(LOAD(birth_old + first))
 #define WHOLE_AGE ((uintv)(iteration)-WHOLE_BIRTH)
-#define WHOLE_ROW W(0)
+#define WHOLE_ROW 0u
 #define WHOLE_COLUMN W(0)
-#define WHOLE_ROWS W(0)
-#define WHOLE_COLUMNS W(0)
+#define WHOLE_ROWS 0u
+#define WHOLE_COLUMNS 0u
 #define GET_X x
 #define GET_Y y
 

@@ -105,9 +105,9 @@ PELAGE_LOOSE(intv, int)
 #define ALL_FALSE ((mask)(0))
 
 // Whole numbers that rules read, from 0 to 2^32 - 1, as comparisons take them: exactly. The others are
-// the kernel's: WHOLE_NEIGHBOURS, WHOLE_AGE, WHOLE_BIRTH, WHOLE_ROW, WHOLE_COLUMN, WHOLE_LAYER, WHOLE_ROWS,
-// WHOLE_COLUMNS, WHOLE_LAYERS.
-#define WHOLE_ITERATION ((uintv)(iteration))
+// the kernel's: WHOLE_NEIGHBOURS, WHOLE_AGE, WHOLE_BIRTH, WHOLE_COLUMN; and, the same in all lanes and so scalars,
+// WHOLE_ROW, WHOLE_LAYER, WHOLE_ROWS, WHOLE_COLUMNS, WHOLE_LAYERS.
+#define WHOLE_ITERATION ((uint)(iteration))
 #define W(n) ((uintv)(n))
 
 // The time at an iteration: at the begin of the phase, and the steps since.

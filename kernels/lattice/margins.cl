@@ -68,7 +68,7 @@ static inline void pelage_put(real v, global scalar* row, int x, int from, int t
 #define WHOLE_NEIGHBOURS TO_UINT(pelage_fetch_whole(neighbours + (long)row * pitch, x, columns))
 #define WHOLE_BIRTH TO_UINT(pelage_fetch_whole(birth + (long)row * pitch, x, columns))
 #define WHOLE_AGE ((uintv)(iteration)-WHOLE_BIRTH)
-#define WHOLE_ROW ((uintv)((uint)row))
+#define WHOLE_ROW ((uint)row)
 #define WHOLE_COLUMN column
 #define GET_X place_x
 #define GET_Y R(places[pitch + row])

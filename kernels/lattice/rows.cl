@@ -10,8 +10,8 @@
 #define PELAGE_REACH 1
 #endif
 
-#define WHOLE_ROWS ((uintv)((uint)rows))
-#define WHOLE_COLUMNS ((uintv)((uint)columns))
+#define WHOLE_ROWS ((uint)rows)
+#define WHOLE_COLUMNS ((uint)columns)
 
 #define PLANE(buffer, nth) ((buffer) + 16 + (nth) * plane + pitch)
 

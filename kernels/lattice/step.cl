@@ -10,7 +10,7 @@
 #define WHOLE_NEIGHBOURS TO_UINT(LOAD(neighbours + at))
 #define WHOLE_AGE ((uintv)(iteration)-TO_UINT(LOAD(birth + at)))
 #define WHOLE_BIRTH TO_UINT(LOAD(birth + at))
-#define WHOLE_ROW ((uintv)((uint)row))
+#define WHOLE_ROW ((uint)row)
 #define WHOLE_COLUMN ((uintv)((uint)x) + LANES)
 #define GET_X LOAD(places + x)
 #define GET_Y R(places[pitch + row])

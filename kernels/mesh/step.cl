@@ -6,12 +6,12 @@
 #define WHOLE_NEIGHBOURS TO_UINT(neighbours[at])
 #define WHOLE_BIRTH TO_UINT(birth[at])
 #define WHOLE_AGE ((uint)iteration - WHOLE_BIRTH)
-#define WHOLE_ROW W(0)
+#define WHOLE_ROW 0u
 #define WHOLE_COLUMN W(0)
-#define WHOLE_LAYER W(0)
-#define WHOLE_ROWS W(0)
-#define WHOLE_COLUMNS W(0)
-#define WHOLE_LAYERS W(0)
+#define WHOLE_LAYER 0u
+#define WHOLE_ROWS 0u
+#define WHOLE_COLUMNS 0u
+#define WHOLE_LAYERS 0u
 #define GET_X places[at]
 #define GET_Y places[cells + at]
 #define GET_Z places[2L * cells + at]

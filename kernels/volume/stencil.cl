@@ -2,7 +2,7 @@
 // lattice/rows.cl says: row `row` of layer `layer` is row layer * rows + row of the plane.
 //   PELAGE_SEVEN_POINT or PELAGE_TWENTY_SEVEN_POINT
 
-#define WHOLE_LAYERS ((uintv)((uint)layers))
+#define WHOLE_LAYERS ((uint)layers)
 
 // Elements from the plane's row 0 to the row that stands for one beside this; beyond an absorbing face zeros.
 static inline long pelage_line(int row, int layer, int rows, int layers, int pitch) {

@@ -46,6 +46,8 @@ std::string source() {
     return Source().file("aggregate/terms.cl").file("aggregate/step.cl").file("aggregate/device.cl").str();
 }
 
+constexpr std::size_t turns_a_launch = 50'000;  // of loops, where a device ends them silently after 65,535
+
 std::string options(std::size_t items) { return fmt::format("-DPELAGE_ITEMS={}", items); }
 
 // A power of two. A processor takes one item a group, whose loops its compiler turns into vectors.
@@ -66,6 +68,7 @@ std::size_t groups_of(const Session& session) {
 std::size_t places_of_one_group(const Session& session) {
     if (session.options().path == Path::step) return 0;
     if (session.options().path != Path::automatic) return std::numeric_limits<std::size_t>::max();
+    if (session.info().software_rasteriser()) return turns_a_launch / 16;
     return session.info().processor() ? 40'000 : 8'000;
 }
 
@@ -175,6 +178,15 @@ void DeviceAggregate::launch_step(std::size_t step, bool choose) {
     session_->launch(gather_, cl::NDRange(groups_ * items_), cl::NDRange(items_));
     session_->launch(weigh_, cl::NDRange(groups_ * items_), cl::NDRange(items_));
     if (choose) session_->launch(choose_, cl::NDRange(items_), cl::NDRange(items_));
+}
+
+// Where a device ends loops silently after 65,535 turns a launch has fewer. A particle's are some eight over the
+// candidates and two over the charges for each new candidate.
+std::size_t DeviceAggregate::particles_at_once(const Front& front) const {
+    if (!session_->info().software_rasteriser()) return most_particles_at_once;
+    const std::size_t places = front.places().size() / items_ + 1, charges = front.charges().size() / items_ + 1;
+    const std::size_t turns = 8 * (places + block) + 2 * most_new * charges;
+    return std::clamp<std::size_t>(turns_a_launch / turns, 1, most_particles_at_once);
 }
 
 std::vector<std::uint32_t> DeviceAggregate::grow(const Front& front, std::span<const Particle> particles) {

@@ -20,8 +20,11 @@ public:
     // With no `sums` they are added up anew.
     void upload(const Front&, const std::vector<std::int64_t>& sums);
 
+    // How many the device may be given in one go.
+    std::size_t particles_at_once(const Front&) const;
+
     // The sites that become charges, in order: as many as there are particles, or fewer where no candidate is left.
-    // `front` is the state before; at most most_particles_at_once.
+    // `front` is the state before; at most particles_at_once().
     std::vector<std::uint32_t> grow(const Front&, std::span<const Particle>);
 
     std::vector<std::int64_t> sums(std::size_t places) const;

@@ -32,8 +32,11 @@ private:
         while (count > 0) {
             const std::uint64_t some = std::min<std::uint64_t>(count, most_particles_at_once);
             const std::vector<Arrival> asked = arrivals(experiment(), first, some, state_);
-            for (std::size_t done = 0; done < asked.size(); done += most_particles_at_once)
-                grow(std::span(asked).subspan(done).first(std::min(most_particles_at_once, asked.size() - done)));
+            for (std::span<const Arrival> left = asked; !left.empty();) {
+                const std::size_t at_once = std::min(device_.particles_at_once(front_), left.size());
+                grow(left.first(at_once));
+                left = left.subspan(at_once);
+            }
             first += some;
             count -= some;
         }

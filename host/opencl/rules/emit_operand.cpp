@@ -48,7 +48,7 @@ std::string OperandEmitter::whole(const Operand& operand) {
 }
 
 std::string OperandEmitter::text(const Operand& operand) {
-    if (is_whole(operand.quantity)) return fmt::format("TO_REAL({})", whole(operand));
+    if (is_whole(operand.quantity)) return fmt::format("TO_REAL(W({}))", whole(operand));
     switch (operand.quantity) {
         case Quantity::number:
             return numbers_.real(operand.value);
@@ -125,12 +125,31 @@ std::string OperandEmitter::around(const NamedStencil& stencil, std::size_t chem
     return sum;
 }
 
+namespace {
+
+// Whether the whole number is the same in all lanes, and a scalar in the kernel: a vector of cells lies in one row.
+bool uniform(const Operand& operand) {
+    switch (operand.quantity) {
+        case Quantity::neighbours:
+        case Quantity::age:
+        case Quantity::birth:
+        case Quantity::column:
+            return false;
+        default:
+            return true;
+    }
+}
+
+}  // namespace
+
 std::string OperandEmitter::exactly(const Operand& left, Comparison comparison, const Operand& right) {
-    if (right.quantity == Quantity::number) return emit_whole_test(whole(left), comparison, right.value, numbers_);
+    if (right.quantity == Quantity::number)
+        return emit_whole_test(whole(left), uniform(left), comparison, right.value, numbers_);
     if (left.quantity == Quantity::number)
-        return emit_whole_test(whole(right), exchanged(comparison), left.value, numbers_);
+        return emit_whole_test(whole(right), uniform(right), exchanged(comparison), left.value, numbers_);
     const std::string first = whole(left);
-    return fmt::format("TO_MASK({} {} {})", first, symbol(comparison), whole(right));
+    const bool one_truth = uniform(left) && uniform(right);
+    return fmt::format("{}({} {} {})", one_truth ? "UNIFORM" : "TO_MASK", first, symbol(comparison), whole(right));
 }
 
 namespace {

@@ -13,8 +13,8 @@
 //   numbers.declarations() of the RuleText
 //   const uintv id; const uint iteration, seed_low, seed_high          where RuleUse::random (iteration: always)
 //   and as macros, where RuleUse::quantities says so, of type real:  GET_X  GET_Y  GET_Z
-//   and of type uintv:  WHOLE_NEIGHBOURS  WHOLE_AGE  WHOLE_BIRTH  WHOLE_ROW  WHOLE_COLUMN  WHOLE_LAYER  WHOLE_ROWS
-//   WHOLE_COLUMNS  WHOLE_LAYERS
+//   and of type uintv:  WHOLE_NEIGHBOURS  WHOLE_AGE  WHOLE_BIRTH  WHOLE_COLUMN
+//   and of type uint, one for all lanes:  WHOLE_ROW  WHOLE_LAYER  WHOLE_ROWS  WHOLE_COLUMNS  WHOLE_LAYERS
 // The emitted text declares
 //   mask t0, t1, ...            where the rule of that number acts
 //   real or mask x0_0, x0_1 ... parts of the expressions of that rule

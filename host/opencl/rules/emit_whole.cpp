@@ -81,10 +81,13 @@ WholeRange whole_range(Comparison comparison, double number) {
     return no_range;
 }
 
-std::string emit_whole_test(const std::string& whole, Comparison comparison, double number, Numbers& numbers) {
+std::string emit_whole_test(const std::string& whole, bool uniform, Comparison comparison, double number,
+                            Numbers& numbers) {
     const WholeRange range = whole_range(comparison, number);
     const std::string low = numbers.word(range.low);
     const std::string high = numbers.word(range.high);
+    if (uniform)
+        return fmt::format("UNIFORM({0}(({1} >= {2}) && ({1} <= {3})))", range.inside ? "" : "!", whole, low, high);
     return fmt::format("{0}TO_MASK(({1} >= W({2})) & ({1} <= W({3})))", range.inside ? "" : "!", whole, low, high);
 }
 
