@@ -30,7 +30,7 @@ nlohmann::json manifest(const std::filesystem::path& folder) {
 
 }  // namespace
 
-TEST_CASE("in double what is written keeps its digits, in the table too; what is drawn is as in float") {
+TEST_CASE("in double what is written keeps its digits, in the table too, and what is drawn is as in float") {
     const Folder folder;
     const std::string file = folder.write("tenths.pex", tenths);
     const std::string backend = GENERATE(as<std::string>(), "reference", "opencl");

@@ -65,7 +65,7 @@ TEST_CASE("errors keep their exit code though nobody can read them") {
     CHECK(shell(program + " wings " + closed).exit_code == 2);
 }
 
-TEST_CASE("what was asked for and cannot be printed is an error; a reader that has seen enough is none") {
+TEST_CASE("what was asked for and cannot be printed is an error, a reader that has seen enough is none") {
     const Folder folder;
     const std::string file = folder.write("spots.pex", test::spots);
 

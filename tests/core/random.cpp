@@ -53,7 +53,7 @@ TEST_CASE("the published generator is glibc's rand") {
     CHECK(other.next() == 708592740u);
 }
 
-TEST_CASE("seeds that the published program takes keep its numbers; of all others every bit counts") {
+TEST_CASE("seeds that the published program takes keep its numbers, of all others every bit counts") {
     const auto first = [](std::int64_t seed) {
         PublishedRandom random(seed);
         std::vector<std::uint32_t> drawn;

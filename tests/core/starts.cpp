@@ -66,7 +66,7 @@ TEST_CASE("rates below 0 are refused on a lattice, and wherever a draw may give 
     CHECK_THAT(refusal(changed([](Experiment& e) { e.phases[0].rates[1] = no_number; })), Contains("not below 0"));
 }
 
-TEST_CASE("free cells may pump, which is a warning; a draw may not") {
+TEST_CASE("free cells may pump, which is a warning, a draw may not") {
     Experiment experiment = with(UseChemical{0, {}, Spread{-0.01, 0}});
     experiment.prepattern.back() = CreateCell{};
     CHECK(refusal(experiment) == "(none)");
@@ -77,7 +77,7 @@ TEST_CASE("free cells may pump, which is a warning; a draw may not") {
     CHECK_THAT(refusal(experiment), Contains("drawn from -0.011"));
 }
 
-TEST_CASE("starts outside the bounds are refused; a draw that is partly inside is cut") {
+TEST_CASE("starts outside the bounds are refused, a draw that is partly inside is cut") {
     CHECK_THAT(refusal(bounded({0, 2.5})), Contains("'U' starts between 3 and 5, outside its bounds 0 to 2.5"));
     CHECK_THAT(refusal(bounded({6, infinity})), Contains("outside its floor 6"));
     CHECK_THAT(refusal(bounded({-infinity, 2})), Contains("outside its limit 2"));

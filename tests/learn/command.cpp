@@ -39,7 +39,7 @@ std::vector<std::string> training_words(const test::Folder& folder, const std::s
 
 }  // namespace
 
-TEST_CASE("a training ends in a model, a curve and a picture; resumed, in the same bits") {
+TEST_CASE("a training ends in a model, a curve and a picture, resumed in the same bits") {
     const std::string backend = GENERATE("reference", "opencl");
     const test::Folder folder;
     write_spots(folder / "spots.png");

@@ -2,6 +2,7 @@
 #include "opencl/rules/functions.hpp"
 
 #include "core/functions.hpp"
+#include "support/form.hpp"
 #include "support/opencl_session.hpp"
 #include "verify/check.hpp"
 
@@ -30,8 +31,8 @@ TEST_CASE("a function's file comes after those that it needs, each once") {
     CHECK(place_of(files, "functions/abs.cl") < files.size());
 }
 
-TEST_CASE("functions have the reference's bits on the device, in both precisions, in one lane and in many") {
-    verify::Place place(test::session().info(), 1, true, true);
+TEST_CASE("functions have the reference's bits on the device, in both precisions") {
+    verify::Place place(test::session().info(), 1, test::long_form(), true);
     for (const verify::Check& check : verify::function_checks()) {
         const verify::Outcome outcome = verify::carry_out(check, place);
         INFO(check.name << ": " << outcome.message << outcome.tally.first);

@@ -1,5 +1,6 @@
 // Populations far past the first buffers.
 #include "many_cells.hpp"
+#include "support/form.hpp"
 #include "support/free_cells.hpp"
 #include "support/opencl_session.hpp"
 
@@ -8,6 +9,7 @@
 using namespace pelage;
 
 TEST_CASE("two cells become 70,000 without a lost or a doubled cell") {
+    const test::Optimised programs;
     test::check_growth_from_two(70'000);  // ids beyond 16 bits
 }
 

@@ -2,6 +2,7 @@
 #include "every_call.hpp"
 
 #include "io/checkpoint.hpp"
+#include "support/form.hpp"
 
 #include <fmt/format.h>
 #include <catch2/catch.hpp>
@@ -30,7 +31,7 @@ std::pair<int, int> run_with_little_memory(Stage& stage, std::size_t all) {
     Faults& layer = Faults::layer();
     int recovered = 0;
     int refused = 0;
-    for (std::size_t percent = 100; percent >= 40; percent -= test::long_form ? 3 : 10) {
+    for (std::size_t percent = 100; percent >= 40; percent -= test::long_form() ? 3 : 10) {
         layer.reset();
         stage.machine.memory = all / 100 * percent;
         INFO(fmt::format("{} of {} bytes", stage.machine.memory, all));
@@ -82,7 +83,7 @@ TEST_CASE("a device that disappears ends a run with one sentence, and leaves who
     for (const Stage::Play play : test::all_plays) {
         Stage stage(play);
         const std::size_t calls = test::calls_of_a_good_run(stage).size();
-        constexpr std::size_t parts = test::long_form ? 10 : 2;
+        const std::size_t parts = test::long_form() ? 10 : 2;
         for (std::size_t part = 0; part < parts; ++part) {
             INFO(fmt::format("at call {} of {}", calls * part / parts, calls));
             layer.reset();

@@ -4,6 +4,7 @@
 #include "core/error.hpp"
 #include "opencl/backend.hpp"
 #include "opencl/device/device.hpp"
+#include "support/form.hpp"
 
 #include <catch2/catch.hpp>
 #include <nlohmann/json.hpp>
@@ -165,8 +166,8 @@ TEST_CASE("a device without double runs in float, and says so when double is wan
 
 TEST_CASE("free cells too are stepped in float without a double") {
     Stage stage(GENERATE(
-        from_range(test::long_form ? std::vector{Stage::Play::cells, Stage::Play::sorting, Stage::Play::cells_on_gpu}
-                                   : std::vector{Stage::Play::cells})));
+        from_range(test::long_form() ? std::vector{Stage::Play::cells, Stage::Play::sorting, Stage::Play::cells_on_gpu}
+                                     : std::vector{Stage::Play::cells})));
     stage.machine.without_double();
     stage.options().no_cache = true;
 
@@ -183,8 +184,8 @@ TEST_CASE("a work-group of one is enough for everything") {
 
 TEST_CASE("a work-group's limit along its first dimension is kept") {
     Stage stage(
-        GENERATE(from_range(test::long_form ? std::vector{Stage::Play::lattice_on_gpu, Stage::Play::cells_on_gpu}
-                                            : std::vector{Stage::Play::cells_on_gpu})));
+        GENERATE(from_range(test::long_form() ? std::vector{Stage::Play::lattice_on_gpu, Stage::Play::cells_on_gpu}
+                                              : std::vector{Stage::Play::cells_on_gpu})));
     stage.machine.work_group_limit(4);
     stage.machine.answer(CL_DEVICE_MAX_WORK_GROUP_SIZE, std::size_t{1024});
 
@@ -194,7 +195,7 @@ TEST_CASE("a work-group's limit along its first dimension is kept") {
 TEST_CASE("where a kernel takes fewer work-items than its device says, groups are made smaller") {
     using Few = std::pair<std::size_t, Stage::Play>;
     std::vector<Few> few{{1, Stage::Play::lattice_on_gpu}, {4, Stage::Play::sorting}};
-    if (test::long_form) {
+    if (test::long_form()) {
         few.insert(few.end(), {{4, Stage::Play::lattice_on_gpu},
                                {1, Stage::Play::cells_on_gpu},
                                {4, Stage::Play::cells_on_gpu},

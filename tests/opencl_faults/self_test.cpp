@@ -1,6 +1,7 @@
 // Calls that fail while a device is tested before a run.
 #include "codes.hpp"
 #include "every_call.hpp"
+#include "support/form.hpp"
 
 #include <fmt/format.h>
 #include <catch2/catch.hpp>
@@ -32,7 +33,7 @@ TEST_CASE("a self-test that an OpenCL call breaks off ends the run before anythi
     REQUIRE(stage.run().finished);
     const std::size_t calls_of_test = layer.calls().size() - calls_of_run;
     REQUIRE(calls_of_test > 100);
-    constexpr std::size_t parts = test::long_form ? 24 : 3;
+    const std::size_t parts = test::long_form() ? 24 : 3;
     constexpr std::size_t opening = 60;  // calls that choose a device, for the run itself
 
     for (std::size_t part = 0; part < parts; ++part) {

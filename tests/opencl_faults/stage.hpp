@@ -16,13 +16,6 @@
 
 namespace test {
 
-// The same tests at more places, on more devices: in opencl_faults_long.
-#ifdef PELAGE_LONG_FORM
-inline constexpr bool long_form = true;
-#else
-inline constexpr bool long_form = false;
-#endif
-
 // How a run ended: with an exit code, or with an Error and what it said. Any other exception fails the test.
 struct Ending {
     bool finished = false;

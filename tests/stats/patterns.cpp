@@ -108,7 +108,7 @@ TEST_CASE("a piece across an edge is one on a torus, and two where edges end it"
     CHECK(features_of(corner.grid()).count == 6);  // they touch at corners alone
 }
 
-TEST_CASE("noise has no direction and no length of its own; a flat field has nothing") {
+TEST_CASE("noise has no direction and no length of its own, a flat field has nothing") {
     const Pattern random(128, 128, [](double x, double y) { return noise(static_cast<std::size_t>(x + 128 * y)); });
     const Statistics found = statistics_of(random.grid());
     CHECK(found.mean == Approx(0.5).margin(0.01));

@@ -181,7 +181,7 @@ TEST_CASE("every device takes tiles, and the table is the reference's") {
     CHECK(without_times(bench.csv("all")) == without_times(bench.csv("reference")));
 }
 
-TEST_CASE("what tiles end in: uniform, a pattern, NaN, an unstable step; settled tiles may end early") {
+TEST_CASE("what tiles end in: uniform, a pattern, NaN, an unstable step, and settled tiles may end early") {
     const Folder folder;
     const std::string file =
         folder.write("kinds.pex",

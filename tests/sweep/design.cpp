@@ -66,7 +66,7 @@ TEST_CASE("a grid has all combinations, the first axis changing fastest, and all
                       Contains("more than 1000000 tiles"));
 }
 
-TEST_CASE("samples lie within their ranges; a Latin hypercube has one in each part of every range") {
+TEST_CASE("samples lie within their ranges, and a Latin hypercube has one in each part of every range") {
     const std::vector<Range> ranges{parse_range("A=2:4"), parse_range("B=log:0.01:100")};
     const std::vector<Point> free = samples(ranges, 40, false, 3), latin = samples(ranges, 40, true, 3);
     CHECK(free == samples(ranges, 40, false, 3));
