@@ -127,9 +127,9 @@ void check_stability(const Experiment& experiment, const Snapshot& initial) {
     if (!found) return;
     const std::string where = found->phase.empty() ? "" : fmt::format(" in phase '{}'", found->phase);
     throw Error(fmt::format(
-        "{}: chemical '{}' diffuses unstably{}: with rate {} the time step may be {:.6g} at most, it "
+        "{}: chemical '{}' diffuses unstably{}: with {} the time step may be {:.6g} at most, it "
         "is {}; lower `define time_step` or the rate, or go on with --force",
-        experiment.source, found->chemical, where, found->rate, found->largest_time_step, found->time_step));
+        experiment.source, found->chemical, where, found->rates(), found->largest_time_step, found->time_step));
 }
 
 void prepare_folder(const fs::path& folder) {

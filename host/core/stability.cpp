@@ -5,10 +5,14 @@
 #include "core/surface.hpp"
 #include "core/visit.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <complex>
+#include <cstdint>
 #include <limits>
 #include <numbers>
+#include <variant>
 
 namespace pelage {
 
@@ -70,7 +74,47 @@ double stiffness(const Space& space) {
                       space);
 }
 
+// What networks add to a chemical's rate.
+struct Share {
+    double rate = 0.0;
+    std::size_t line = 0;  // of the rule that adds most
+};
+
+// Of the network that acts in every cell of this phase, if the rule has one.
+double share_of(const Rule& rule, std::uint64_t begin, std::uint64_t end, std::size_t chemical) {
+    const auto* neural = std::get_if<Neural>(&rule.action);
+    if (neural == nullptr || !std::holds_alternative<Always>(rule.condition)) return 0.0;
+    if (neural->diffusion.quantity != Quantity::number || rule.from >= end || rule.until < begin) return 0.0;
+    const auto place = std::ranges::find(neural->species, chemical) - neural->species.begin();
+    const auto count = neural->species.size();
+    const auto at = static_cast<std::size_t>(place);
+    return at == count ? 0.0 : group_rate(at, count) * neural->diffusion.value;
+}
+
+// Networks of every iteration add up; of those that pause, which may take turns, the fastest counts.
+Share share_of_networks(const Experiment& experiment, std::size_t phase, std::size_t chemical) {
+    const std::uint64_t begin = experiment.phases[phase].begin;
+    const std::uint64_t end = phase + 1 < experiment.phases.size() ? experiment.phases[phase + 1].begin : forever;
+    Share all;
+    double most = 0.0, pausing = 0.0;
+    for (const Rule& rule : experiment.rules) {
+        const double share = share_of(rule, begin, end, chemical);
+        if (rule.every == 1) all.rate += share;
+        if (rule.every != 1) pausing = std::max(pausing, share);
+        if (share > most) all.line = rule.line;
+        most = std::max(most, share);
+    }
+    all.rate += pausing;
+    return all;
+}
+
 }  // namespace
+
+std::string Instability::rates() const {
+    if (network == 0.0) return fmt::format("a rate of {}", rate);
+    if (rate == 0.0) return fmt::format("a network's rate of {}", network);
+    return fmt::format("a rate of {} and {} by a network", rate, network);
+}
 
 std::optional<Instability> find_instability(const Experiment& experiment, const Snapshot& initial) {
     const double stiff = stiffness(space_of(experiment));
@@ -78,14 +122,22 @@ std::optional<Instability> find_instability(const Experiment& experiment, const 
     for (const std::vector<double>& rates : initial.diff) {
         largest.push_back(rates.empty() ? 0.0 : *std::max_element(rates.begin(), rates.end()));
     }
-    for (const Phase& phase : experiment.phases) {
+    for (std::size_t nth = 0; nth < experiment.phases.size(); ++nth) {
+        const Phase& phase = experiment.phases[nth];
         for (std::size_t chemical = 0; chemical < largest.size(); ++chemical) {
             if (phase.rates[chemical]) largest[chemical] = *phase.rates[chemical];
             const double rate = largest[chemical];
+            const Share network = share_of_networks(experiment, nth, chemical);
+            const double all = rate + network.rate;
             // A hair of slack: an experiment may sit exactly on the limit.
-            if (rate > 0.0 && rate * stiff * phase.time_step > 2.0 * (1 + 1e-6)) {
-                return Instability{phase.name, experiment.chemicals[chemical].name, rate, phase.time_step,
-                                   2.0 / (rate * stiff)};
+            if (all > 0.0 && all * stiff * phase.time_step > 2.0 * (1 + 1e-6)) {
+                return Instability{phase.name,
+                                   experiment.chemicals[chemical].name,
+                                   rate,
+                                   network.rate,
+                                   network.line,
+                                   phase.time_step,
+                                   2.0 / (all * stiff)};
             }
         }
     }

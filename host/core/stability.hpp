@@ -13,9 +13,13 @@ namespace pelage {
 struct Instability {
     std::string phase;  // empty when the experiment has only one
     std::string chemical;
-    double rate = 0.0;  // the largest of any cell
+    double rate = 0.0;     // the largest of any cell
+    double network = 0.0;  // what networks add to it
+    std::size_t line = 0;  // of the rule of that network; 0 where there is none
     double time_step = 0.0;
-    double largest_time_step = 0.0;  // that holds: 2 / (rate * largest eigenvalue of the stencil)
+    double largest_time_step = 0.0;  // that holds: 2 / ((rate + network) * largest eigenvalue of the stencil)
+
+    std::string rates() const;  // "a rate of 5 and 0.5 by a network": for messages
 };
 
 // Largest eigenvalue of minus the stencil on an endless lattice.
@@ -24,8 +28,8 @@ double stiffness(Stencil);  // of one that has a name
 // each makes some wave grow.
 double stiffness(const Lattice&);
 
-// The first phase and chemical whose positive rates break the limit; empty: stable. Rates that rules change
-// during the run cannot be foreseen and are not judged.
+// The first phase and chemical whose positive rates break the limit; empty: stable. Rates that rules change during the
+// run cannot be foreseen and are not judged, nor is the diffusion of a network that has a condition or is no number.
 std::optional<Instability> find_instability(const Experiment&, const Snapshot& initial);
 
 }  // namespace pelage

@@ -293,6 +293,9 @@ private:
             fail("a neural reaction needs different chemicals");
         check_operand(neural.rate);
         check_operand(neural.diffusion);
+        if (neural.diffusion.quantity == Quantity::number && neural.diffusion.value < 0.0)
+            fail(fmt::format("a network's diffusion {} is below 0; every difference would grow without end",
+                             neural.diffusion.value));
     }
     void check_action(const Rule&, const Change& change) const {
         check_chemical(change.chemical, "a `change`");

@@ -8,6 +8,7 @@
 #include <array>
 #include <map>
 #include <utility>
+#include <variant>
 
 namespace pelage::language {
 
@@ -127,19 +128,31 @@ void find_repeated_settings(const Sheet& sheet, Reporter& report) {
     }
 }
 
+void find_backward_networks(const Sheet& sheet, Reporter& report) {
+    for (const Rule& rule : sheet.experiment.rules) {
+        const auto* neural = std::get_if<Neural>(&rule.action);
+        if (neural == nullptr || neural->rate.quantity != Quantity::number || neural->rate.value >= 0.0) continue;
+        report(sheet.place(rule.line, "rate"),
+               fmt::format("the rate {} of a network is below 0: its reaction runs backwards, away from what it has "
+                           "learned",
+                           neural->rate.value));
+    }
+}
+
 void find_unstable_steps(const Sheet& sheet, Reporter& report) {
     const std::vector<Rate> rates = initial_rates(sheet);
     Snapshot initial;  // one cell with the largest rates
     for (const Rate& rate : rates) initial.diff.push_back({rate.most});
     const std::optional<Instability> found = find_instability(sheet.experiment, initial);
     if (!found) return;
-    const std::size_t line = line_of_cause(sheet, *found, rates[sheet.experiment.chemical(found->chemical)]);
+    const bool by_network = found->network > found->rate && found->line != 0;
+    const std::size_t line =
+        by_network ? found->line : line_of_cause(sheet, *found, rates[sheet.experiment.chemical(found->chemical)]);
     const std::string where = found->phase.empty() ? "" : fmt::format(" in phase '{}'", found->phase);
-    report(
-        sheet.place(line, "diff"),
-        fmt::format("chemical '{}' diffuses unstably{}: with a rate up to {} the time step may be {:.6g} at most, it "
-                    "is {}; `run` asks for --force",
-                    found->chemical, where, found->rate, found->largest_time_step, found->time_step));
+    report(sheet.place(line, by_network ? "diffusion" : "diff"),
+           fmt::format("chemical '{}' diffuses unstably{}: with {} the time step may be {:.6g} at most, it "
+                       "is {}; `run` asks for --force",
+                       found->chemical, where, found->rates(), found->largest_time_step, found->time_step));
 }
 
 }  // namespace pelage::language

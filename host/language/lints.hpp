@@ -46,6 +46,7 @@ void find_late_snapshots(const Sheet&, Reporter&);
 void find_idle_phases(const Sheet&, Reporter&);
 void find_repeated_settings(const Sheet&, Reporter&);
 void find_unstable_steps(const Sheet&, Reporter&);
+void find_backward_networks(const Sheet&, Reporter&);
 
 // Rules: lint_rules.cpp.
 void find_idle_rules(const Sheet&, Reporter&);

@@ -71,7 +71,11 @@ Action parse_neural(Script& script, Cursor& cursor) {
     Options options(words);
     while (const auto option = options.next(cursor)) {
         Operand& operand = *option == 0 ? neural.rate : neural.diffusion;
+        const Token& value = cursor.peek();
         operand = parse_operand(script, cursor, *option == 0 ? "the rate of the reaction" : "the rate of diffusion");
+        if (*option == 1 && operand.quantity == Quantity::number && operand.value < 0.0)
+            cursor.fail(value, fmt::format("the diffusion {} is below 0; every difference would grow without end",
+                                           operand.value));
     }
     script.needs_places(cursor, file);
     return neural;

@@ -3,11 +3,15 @@
 
 #include "core/prepattern.hpp"
 #include "core/support_experiments.hpp"
+#include "language/parse.hpp"
 
+#include <fmt/format.h>
 #include <catch2/catch.hpp>
 
 #include <cmath>
+#include <memory>
 #include <numbers>
+#include <string>
 
 using namespace pelage;
 
@@ -92,4 +96,59 @@ TEST_CASE("a later phase's rates are judged too") {
     REQUIRE(found);
     CHECK(found->phase == "late");
     CHECK(found->chemical == "V");
+}
+
+TEST_CASE("the diffusion of networks is judged: by groups, beside the chemicals' own rates, on every kind of space") {
+    Experiment experiment = parse_experiment("define chemicals x 4\ncreate matrix 8 8\n", "t.pex", ".");
+    Neural neural;
+    neural.species = {0, 1, 2, 3};
+    neural.network = std::make_shared<const Network>(make_network(4, 1, {0, 0, 0, 0}, {0}, {0, 0, 0, 0}, "still"));
+    neural.diffusion = Operand::number(0.37);  // the limit of the fastest group is 2 / (16 / 3) = 0.375
+    experiment.rules.push_back({});
+    experiment.rules[0].line = 7;
+    experiment.rules[0].action = neural;
+    const auto found = [&] { return find_instability(experiment, initial_state(experiment)); };
+    const auto diffusion = [&](std::size_t rule, double value) {
+        std::get<Neural>(experiment.rules[rule].action).diffusion = Operand::number(value);
+    };
+    CHECK_FALSE(found());
+    diffusion(0, 0.38);
+    REQUIRE(found());
+    CHECK(found()->chemical == "x3");
+    CHECK(found()->network == 0.38);
+    CHECK(found()->line == 7);
+    CHECK(found()->largest_time_step == Approx(0.375 / 0.38));
+    CHECK(found()->rates() == "a network's rate of 0.38");
+    experiment.rules[0].until = 10;
+    CHECK(found());
+    experiment.rules[0].condition = Probability{Operand::number(0.5)};
+    CHECK_FALSE(found());
+
+    experiment.rules[0].condition = Always{};
+    diffusion(0, 0.2);
+    experiment.rules.push_back(experiment.rules[0]);
+    CHECK(found());  // the two at once
+    for (Rule& rule : experiment.rules) rule.every = 2;
+    experiment.rules[1].offset = 1;
+    CHECK_FALSE(found());  // in turns
+    experiment.phases[0].rates[3] = 0.2;
+    REQUIRE(found());
+    CHECK(found()->rates() == "a rate of 0.2 and 0.2 by a network");
+}
+
+TEST_CASE("a network's diffusion has the limit of the space's stencil") {
+    const auto stable = [](const std::string& space, double diffusion) {
+        const std::string folder = PELAGE_SOURCE "/tests/io/networks";
+        const Experiment experiment = parse_experiment(
+            fmt::format("define chemicals x 4\n{}\nrule always react all neural \"stored.npz\" diffusion {}\n", space,
+                        diffusion),
+            "t.pex", folder);
+        return !find_instability(experiment, initial_state(experiment)).has_value();
+    };
+    CHECK(stable("create volume 4 4 4", 1 / 6.1));
+    CHECK_FALSE(stable("create volume 4 4 4", 1 / 5.9));
+    CHECK(stable("define stencil twenty-seven-point\ncreate volume 4 4 4", 15 / 46.1));
+    CHECK_FALSE(stable("define stencil twenty-seven-point\ncreate volume 4 4 4", 15 / 45.9));
+    CHECK(stable("create icosphere 2", 0.15));
+    CHECK_FALSE(stable("create icosphere 2", 0.5));
 }

@@ -8,6 +8,7 @@
 #include "language/lint.hpp"
 #include "language/parse.hpp"
 
+#include <fmt/format.h>
 #include <catch2/catch.hpp>
 
 #include <algorithm>
@@ -116,6 +117,25 @@ TEST_CASE("what a network does not take") {
         network_message("define chemicals x 4\ncreate hex_grid 4 4\nrule always react all neural \"stored.npz\"\n"),
         Contains("t.pex:3:30:") && Contains("lattice"));
     CHECK_THAT(network_message(eight + "rule always react x0 nerual \"stored.npz\"\n"), Contains("'neural'"));
+}
+
+TEST_CASE("a network whose diffusion is below 0 is refused, too fast or backward ones are warned of") {
+    CHECK(network_message(eight + "rule always react x0 x1 x2 x3 neural \"stored.npz\" diffusion -0.5\n") ==
+          "t.pex:3:61: the diffusion -0.5 is below 0; every difference would grow without end");
+    const auto warned = [](const std::string& options) {
+        Outline outline;
+        const Experiment e =
+            parse_experiment(eight + "rule always react x0 x1 x2 x3 neural \"stored.npz\" " + options + "\n", "t.pex",
+                             networks, &outline);
+        std::string all;
+        for (const Warning& one : lint(e, outline, e.last_iteration())) {
+            if (one.lint != "unused-chemical") all += fmt::format("{}:{} {};", one.line, one.column, one.lint);
+        }
+        return all;
+    };
+    CHECK(warned("diffusion 0.375") == "");
+    CHECK(warned("rate 0.5 diffusion 4") == "3:60 unstable;");
+    CHECK(warned("rate -1 diffusion 0.25") == "3:51 backwards;");
 }
 
 TEST_CASE("blobs are round, stand where the seed puts them and go over the edge of a torus") {
