@@ -1,6 +1,7 @@
 // `pelage check FILE...`: reads experiments without running them.
 #include "app/change_notes.hpp"
 #include "app/commands.hpp"
+#include "app/foresee.hpp"
 #include "app/parameters.hpp"
 #include "app/read_experiment.hpp"
 #include "app/say.hpp"
@@ -64,7 +65,9 @@ std::size_t count(const Outline& outline, std::string_view words) {
 std::size_t check_file(const std::string& file, const CheckOptions& options) {
     Outline outline;
     const Experiment experiment = read_checked(file, options, &outline);
-    const std::vector<Warning> warnings = lint(experiment, outline, experiment.last_iteration());
+    check_start(experiment);
+    std::vector<Warning> warnings = lint(experiment, outline, experiment.last_iteration());
+    if (const auto large = warn_of_size(experiment, outline)) warnings.push_back(*large);
     const auto chemicals = static_cast<std::size_t>(std::ranges::count_if(
         experiment.chemicals, [](const Chemical& one) { return !language::keeps_previous(one); }));
     say("{}: ok: {}, {}, {}, {}{}\n", experiment.source, counted(count_cells(experiment), "cell"),

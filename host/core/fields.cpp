@@ -6,6 +6,7 @@
 #include "core/philox.hpp"
 #include "core/scene.hpp"
 #include "core/space.hpp"
+#include "core/stands.hpp"
 #include "core/subnormal.hpp"
 #include "core/visit.hpp"
 
@@ -107,6 +108,12 @@ double in_run(double value, Precision precision) {
     return precision == Precision::double_ ? value : double{in_precision<float>(value)};
 }
 
+// Of its expression, or of its statement.
+std::string place_of(const Experiment& experiment, const PlaceField& field) {
+    const auto* computed = std::get_if<ComputedField>(&field.source);
+    return where_stands(experiment, field.line, computed != nullptr ? computed->expression.text : "define");
+}
+
 // A part of an expression may be infinite or no number where the whole does not mind.
 void check(const Experiment& experiment, const PlaceField& field, const Extent& extent,
            const std::vector<double>& values) {
@@ -116,7 +123,7 @@ void check(const Experiment& experiment, const PlaceField& field, const Extent& 
         const std::size_t line = cell / extent.columns;
         const std::string layer = extent.layers == 0 ? "" : fmt::format(", layer {}", line / extent.rows);
         throw Error(fmt::format("{}: field '{}' is {} in column {}, row {}{}; it must be a number everywhere",
-                                experiment.where(field.line), field.name,
+                                place_of(experiment, field), field.name,
                                 std::isnan(values[cell]) ? "no number" : "infinite", cell % extent.columns,
                                 line % extent.rows, layer));
     }

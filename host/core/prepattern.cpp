@@ -2,6 +2,7 @@
 #include "core/prepattern.hpp"
 
 #include "core/arrangements.hpp"
+#include "core/digits.hpp"
 #include "core/error.hpp"
 #include "core/fields.hpp"
 #include "core/philox.hpp"
@@ -9,6 +10,7 @@
 #include "core/scene.hpp"
 #include "core/seed.hpp"
 #include "core/space.hpp"
+#include "core/stands.hpp"
 #include "core/subnormal.hpp"
 #include "core/surface.hpp"
 
@@ -267,21 +269,21 @@ private:
             allowed = {double{in_precision<T>(bounds.floor)}, double{in_precision<T>(bounds.limit)}};
         }
         if (value >= allowed.floor && value <= allowed.limit && std::isfinite(value)) return;
-        refuse(experiment_.expressions[expression].line, chemical, cell, rate ? "diffusion rate" : "concentration",
-               value, allowed);
+        refuse(experiment_.expressions[expression], chemical, cell, rate ? "diffusion rate" : "concentration", value,
+               allowed);
     }
     static std::string interval(const Bounds& allowed) {
         const bool low = std::isfinite(allowed.floor), high = std::isfinite(allowed.limit);
-        if (low && high) return fmt::format("a number from {} to {}", allowed.floor, allowed.limit);
-        if (low) return fmt::format("a number not below {}", allowed.floor);
-        return high ? fmt::format("a number not above {}", allowed.limit) : "a finite number";
+        if (low && high) return fmt::format("a number from {} to {}", digits(allowed.floor), digits(allowed.limit));
+        if (low) return fmt::format("a number not below {}", digits(allowed.floor));
+        return high ? fmt::format("a number not above {}", digits(allowed.limit)) : "a finite number";
     }
-    [[noreturn]] void refuse(std::size_t line, std::size_t chemical, std::size_t cell, const char* what, double found,
-                             const Bounds& allowed) const {
+    [[noreturn]] void refuse(const Expression& expression, std::size_t chemical, std::size_t cell, const char* what,
+                             double found, const Bounds& allowed) const {
         throw Error(fmt::format("{}: an expression starts '{}' with the {} {} in cell {}; it must be {}",
-                                experiment_.where(line), experiment_.chemicals[chemical].name, what,
-                                std::isnan(found) ? "no number" : fmt::format("{:.9g}", found), cell,
-                                interval(allowed)));
+                                where_stands(experiment_, expression.line, expression.text),
+                                experiment_.chemicals[chemical].name, what,
+                                std::isnan(found) ? "no number" : digits(found), cell, interval(allowed)));
     }
 
     T amount(std::size_t chemical, bool rate, const Spread& spread, std::size_t cell) {

@@ -2,6 +2,7 @@
 #include "core/stability.hpp"
 
 #include "core/adjacency.hpp"
+#include "core/digits.hpp"
 #include "core/surface.hpp"
 #include "core/visit.hpp"
 
@@ -111,9 +112,9 @@ Share share_of_networks(const Experiment& experiment, std::size_t phase, std::si
 }  // namespace
 
 std::string Instability::rates() const {
-    if (network == 0.0) return fmt::format("a rate of {}", rate);
-    if (rate == 0.0) return fmt::format("a network's rate of {}", network);
-    return fmt::format("a rate of {} and {} by a network", rate, network);
+    if (network == 0.0) return "a rate of " + digits(rate);
+    if (rate == 0.0) return "a network's rate of " + digits(network);
+    return fmt::format("a rate of {} and {} by a network", digits(rate), digits(network));
 }
 
 std::optional<Instability> find_instability(const Experiment& experiment, const Snapshot& initial) {

@@ -1,10 +1,16 @@
 // See picture.hpp.
 #include "language/picture.hpp"
 
+#include "core/error.hpp"
+#include "core/finite.hpp"
 #include "io/field.hpp"
 #include "io/file_bytes.hpp"
 #include "io/sha256.hpp"
 
+#include <fmt/format.h>
+
+#include <cstddef>
+#include <string>
 #include <utility>
 
 namespace pelage::language {
@@ -16,6 +22,15 @@ std::shared_ptr<const Field> scaled(Field field, double low, double high) {
         for (double& value : field.values) value = low + value * (high - low);
     }
     return std::make_shared<const Field>(std::move(field));
+}
+
+// As numbers written in the experiment must.
+void check_floats(const Field& field, const std::string& path) {
+    for (std::size_t i = 0; i < field.values.size(); ++i) {
+        if (is_finite(static_cast<float>(field.values[i]))) continue;
+        throw Error(fmt::format("'{}' gives {} at row {}, column {}, which is beyond what a float can hold", path,
+                                field.values[i], i / field.columns, i % field.columns));
+    }
 }
 
 }  // namespace
@@ -40,6 +55,7 @@ std::shared_ptr<const Field> load_picture(Script& script, const Cursor& cursor, 
         const std::string path = script.resolve(name).string();
         const std::string bytes = read_file(path);
         auto values = scaled(parse_field(bytes, picture.channel, path), picture.low, picture.high);
+        check_floats(*values, path);
         script.experiment.inputs.push_back({name, sha256(bytes)});
         return values;
     } catch (const Error& error) {

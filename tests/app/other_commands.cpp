@@ -112,6 +112,53 @@ TEST_CASE("check warns of what hardly means what it says, and --strict fails on 
     CHECK(command({"check", "--strict", doubtful, folder / "missing.pex"}).exit_code == 2);
 }
 
+TEST_CASE("check refuses starts and fields that give no number, with line and column") {
+    const Folder folder;
+    const std::string before = "define chemical U\n  define field f (1 / (COLUMN - 2))\n";
+    const std::string field = folder.write("field.pex", before + "create matrix 8 8\nrule always change U conc f\n");
+    const std::string volume =
+        folder.write("volume.pex", before + "create volume 8 8 2\nrule always change U conc f\n");
+    const std::string start =
+        folder.write("start.pex", "define chemical U\nuse chemical U conc (1 / (X - 1))\ncreate matrix 8 8\n");
+    const std::string cells = folder.write(
+        "cells.pex", "define chemical U\ncreate hex_grid 3 3\nset cells where (X > 0) chemical U conc (sqrt(-X))\n");
+
+    const Outcome outcome = command({"check", field, volume, start, cells});
+    const Outcome ran = command({"run", field, "--backend", "reference", "--out", folder / "out"});
+
+    CHECK(outcome.exit_code == 2);
+    CHECK(outcome.out.empty());
+    CHECK(outcome.err ==
+          "pelage: " + field + ":2:18: field 'f' is infinite in column 2, row 0; it must be a number everywhere\n" +
+              "pelage: " + volume +
+              ":2:18: field 'f' is infinite in column 2, row 0, layer 0; it must be a number everywhere\n" +
+              "pelage: " + start +
+              ":2:21: an expression starts 'U' with the concentration -0.125 in cell 0; it must be a number not below "
+              "0\n" +
+              "pelage: " + cells +
+              ":3:41: an expression starts 'U' with the concentration no number in cell 2; it must be a number not "
+              "below 0\n");
+    CHECK_THAT(ran.err, Contains(field + ":2:18: field 'f' is infinite"));
+}
+
+TEST_CASE("check warns of what no memory holds, at the end of the run too") {
+    const Folder folder;
+    const std::string matrix = folder.write("matrix.pex", "define chemical U\ncreate matrix 46000 46000\n");
+    const std::string volume = folder.write("volume.pex", "define chemical U\n create volume 1200 1200 1200\n");
+    const std::string growing = folder.write(
+        "growing.pex",
+        "define chemical U\ncreate matrix 100 100\nrule every 10 always expand columns 100 rows 100\nstop at 4000\n");
+
+    const Outcome outcome = command({"check", matrix, volume, growing});
+
+    CHECK(outcome.exit_code == 0);
+    CHECK_THAT(outcome.err, Contains(matrix + ":2:1: warning: 2116000000 cells with 1 chemical need about"));
+    CHECK_THAT(outcome.err, Contains(volume + ":2:2: warning: 1728000000 cells with 1 chemical need about"));
+    CHECK_THAT(outcome.err, Contains(growing + ":2:1: warning: 1608010000 cells with 1 chemical need"));
+    CHECK_THAT(outcome.err, Contains("[too-large]"));
+    CHECK(command({"check", "--strict", growing}).exit_code == 1);
+}
+
 TEST_CASE("check and run read an experiment from standard input, tune says that it cannot") {
     const Folder folder;
     test::Surroundings piped;

@@ -1,6 +1,7 @@
 // The explicit limit of diffusion: its eigenvalues by brute force, and the check that uses them.
 #include "core/stability.hpp"
 
+#include "core/digits.hpp"
 #include "core/prepattern.hpp"
 #include "core/support_experiments.hpp"
 #include "language/parse.hpp"
@@ -82,6 +83,21 @@ TEST_CASE("an unstable step is found, with the largest that holds") {
     CHECK(found->largest_time_step == Approx(2 / (5 * 16.0 / 3)));
     experiment.phases.front().time_step = found->largest_time_step;
     CHECK_FALSE(find_instability(experiment, initial_state(experiment)));
+}
+
+TEST_CASE("messages have the shortest digits of a number, of one that is a float those of a float") {
+    CHECK(digits(double{0.3f}) == "0.3");
+    CHECK(digits(0.3) == "0.3");
+    CHECK(digits(0.1 + 0.2) == "0.30000000000000004");
+    CHECK(digits(-0.125) == "-0.125");
+    CHECK(digits(123456789.0) == "123456789");
+    CHECK(digits(1e300) == "1e+300");
+    CHECK(std::stof(digits(double{0.1f + 0.2f})) == 0.1f + 0.2f);
+
+    Experiment drawn =
+        parse_experiment("define chemical U\nuse chemical U diff 0.3\ncreate matrix 4 4\n", "t.pex", ".");
+    drawn.phases[0].time_step = 2.0;
+    CHECK(find_instability(drawn, initial_state(drawn))->rates() == "a rate of 0.3");
 }
 
 TEST_CASE("a later phase's rates are judged too") {

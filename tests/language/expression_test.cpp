@@ -210,7 +210,7 @@ TEST_CASE("an expression is refused where its values cannot be known or its valu
     }
     CHECK_THROWS_WITH(
         initial_state(parsed("define chemical U limit 1\nuse chemical U conc (X)\ncreate matrix 4 1\n")),
-        "t.pex:2: an expression starts 'U' with the concentration -3 in cell 0; it must be a number from 0 to 1");
+        "t.pex:2:21: an expression starts 'U' with the concentration -3 in cell 0; it must be a number from 0 to 1");
     CHECK_THROWS_WITH(initial_state(parsed("define chemical U\nuse chemical U diff (X)\ncreate matrix 4 1\n")),
                       Catch::Contains("'U' with the diffusion rate -3 in cell 0"));
 }

@@ -1,6 +1,7 @@
 // Experiments, shapes and pictures as files.
 #include "core/error.hpp"
 #include "core/prepattern.hpp"
+#include "io/npy.hpp"
 #include "io/sha256.hpp"
 #include "language/parse.hpp"
 
@@ -10,6 +11,8 @@
 
 #include <filesystem>
 #include <fstream>
+#include <string>
+#include <vector>
 
 using namespace pelage;
 namespace fs = std::filesystem;
@@ -129,6 +132,20 @@ TEST_CASE("pictures that do not fit or cannot be read say where they are named")
     CHECK(message("start.npy", "create sqr_grid 3 2") == "(none)");
     CHECK_THAT(message("none.npy", "create matrix 3 2"), Catch::StartsWith(place) && Catch::Contains("none.npy"));
     CHECK_THAT(message("one.pex", "create matrix 3 2"), Catch::StartsWith(place) && Catch::Contains("one.pex"));
+}
+
+TEST_CASE("numbers of arrays that no float can hold are refused, of starts and of fields") {
+    const Folder folder;
+    folder.write("one.pex", "");
+    write_npy(folder / "large.npy", {2, 3}, std::vector<double>{0, 0, 0, 0, 1e300, 0});
+    const auto message = [&](const std::string& line) {
+        return message_of_file(folder.write("one.pex", line + "\ncreate matrix 3 2\n"));
+    };
+    const std::string told = "gives 1e+300 at row 1, column 1, which is beyond what a float can hold";
+
+    CHECK_THAT(message("define chemical U conc \"large.npy\""), Catch::Contains(":1:24:") && Catch::Contains(told));
+    CHECK_THAT(message("define chemical U\ndefine field f \"large.npy\""),
+               Catch::Contains(":2:16:") && Catch::Contains(told));
 }
 
 TEST_CASE("an experiment names the files it starts from with their sums, pictures only where they are read") {

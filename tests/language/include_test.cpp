@@ -111,7 +111,7 @@ TEST_CASE("messages name every file on the way to a line, with the line's number
         shelf.put("start.pex", "\n\nset cells where (1) chemical U conc (0 - X - 100)\n");
         CHECK_THAT(
             error_of([&] { initial_state(shelf.read()); }),
-            Contains(":3: in start.pex:3: an expression starts 'U' with the concentration -93 in cell 0; it must be "
+            Contains(":3: in start.pex:3:37: an expression starts 'U' with the concentration -93 in cell 0; it must be "
                      "a number not below 0"));
     }
 }
