@@ -1,6 +1,7 @@
 // `pelage bench`: how fast each backend is on this machine, against each other and against what the machine can do.
 #include "app/commands.hpp"
 #include "app/draw_report.hpp"
+#include "app/named_files.hpp"
 #include "app/prepare.hpp"
 #include "app/say.hpp"
 #include "app/validators.hpp"
@@ -104,6 +105,7 @@ int run_bench(const BenchOptions& options) {
     if (!options.plot.empty()) require_plotter();
     for (const auto& file : {options.json, options.plot}) {
         if (!file.empty()) prepare_json(file);
+        keep_inputs(file == options.json ? "--json" : "--plot", file, {options.guard}, "what --guard reads");
     }
     return options.guard.empty() ? bench_all(options) : bench_guard(options);
 }

@@ -1,5 +1,6 @@
 // `pelage import FILE`: makes an experiment of another program's file.
 #include "app/commands.hpp"
+#include "app/named_files.hpp"
 #include "app/say.hpp"
 #include "core/error.hpp"
 #include "import/import.hpp"
@@ -41,10 +42,8 @@ std::string bytes_to_import(const std::string& file) {
 
 // Beside the file, under its name; never over a file that is there.
 fs::path place_of_result(const ImportOptions& options) {
-    std::error_code none_there;
     if (!options.out.empty()) {
-        if (fs::equivalent(options.file, options.out, none_there))
-            throw Error(fmt::format("-o '{}' is the file that is imported; name another one", options.out));
+        keep_inputs("-o", options.out, {options.file}, "what is imported");
         return options.out;
     }
     const fs::path place =
@@ -59,6 +58,8 @@ void import_file(const ImportOptions& options) {
     const fs::path place = place_of_result(options);
     const std::string name = is_address(options.file) ? "the address" : options.file;
     const imports::Import made = imports::import_text(bytes_to_import(options.file), name, place.stem().string());
+    for (const imports::Import::Picture& picture : made.pictures)
+        keep_inputs("the array", place.parent_path() / picture.name, {options.file}, "what is imported");
     imports::write_import(made, place);
     if (options.quiet) return;
     say("{}\n", place.string());

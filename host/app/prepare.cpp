@@ -149,19 +149,4 @@ void prepare_json(const fs::path& file) {
     prepare_folder(fs::absolute(file).parent_path());
 }
 
-void check_named_files(const RunOptions& options) {
-    std::error_code none_there;
-    const auto refuse = [&](const char* option, const fs::path& file, const fs::path& other, const char* what) {
-        if (file.empty() || other.empty()) return;
-        const bool same = fs::absolute(file).lexically_normal() == fs::absolute(other).lexically_normal();
-        if (!same && !fs::equivalent(file, other, none_there)) return;
-        throw Error(fmt::format("{} {} is {}; name another file", option, file.string(), what));
-    };
-    for (const fs::path& input : {options.file, options.resume}) {
-        refuse("--json", options.json, input, "what the run reads");
-        refuse("--video", options.video.file, input, "what the run reads");
-    }
-    refuse("--video", options.video.file, options.json, "the file of --json");
-}
-
 }  // namespace pelage::app

@@ -36,7 +36,4 @@ void prepare_folder(const std::filesystem::path&);
 // The same for the folder of --json; an empty path and a device are fine.
 void prepare_json(const std::filesystem::path& file);
 
-// Throws Error where --json or --video would replace what the run reads, or each other.
-void check_named_files(const RunOptions&);
-
 }  // namespace pelage::app

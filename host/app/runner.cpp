@@ -7,6 +7,7 @@
 #include "app/film_plan.hpp"
 #include "app/machine.hpp"
 #include "app/memory.hpp"
+#include "app/named_files.hpp"
 #include "app/prepare.hpp"
 #include "app/read_experiment.hpp"
 #include "app/say.hpp"
@@ -59,6 +60,7 @@ int run_experiment(const RunOptions& options) {
     Prepared prepared = prepare(options);
     warn(options, prepared);
     check_formats(options, prepared.experiment);
+    check_named_files(options, prepared.experiment);
     Footprint needed = footprint(prepared.experiment, prepared.last, options.precision, prepared.resumed.has_value());
     check_cells(prepared.experiment, needed);
     const std::optional<FilmPlan> film = plan_film(options, prepared.experiment, prepared.last);
@@ -73,7 +75,6 @@ int run_experiment(const RunOptions& options) {
     const FolderLock lock(options.folder());
     prepare_json(options.json);
     if (film) prepare_folder(std::filesystem::absolute(film->file).parent_path());
-    check_named_files(options);
     tune_machine(options, prepared, start, machine);
     const std::unique_ptr<Tissue> tissue = machine.backend->make_tissue(prepared.experiment, initial);
     if (prepared.resumed) tissue->write(*prepared.resumed);

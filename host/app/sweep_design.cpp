@@ -1,6 +1,7 @@
 // See sweep_design.hpp.
 #include "app/sweep_design.hpp"
 
+#include "app/named_files.hpp"
 #include "app/settings.hpp"
 #include "core/error.hpp"
 
@@ -51,6 +52,8 @@ SweepDesign sweep_design(const SweepOptions& options, const Experiment& plain) {
         if (!options.vary.empty()) throw Error("--points gives all values; leave --vary out, or --points");
         if (options.samples > 0 || options.latin)
             throw Error("--points gives all values, and none is drawn; leave --samples and --latin out, or --points");
+        for (const std::string& file : {std::string("sweep.csv"), "sheet." + options.sheet})
+            keep_inputs("the sweep's result", options.run.folder() / file, {options.points}, "what --points reads");
         design.points = sweep::read_points(options.points);
     } else if (options.samples > 0) {
         design.points = sampled(options);

@@ -5,6 +5,7 @@
 #include "app/draw_report.hpp"
 #include "app/interrupt.hpp"
 #include "app/memory.hpp"
+#include "app/named_files.hpp"
 #include "app/prepare.hpp"
 #include "app/progress.hpp"
 #include "app/say.hpp"
@@ -110,6 +111,8 @@ public:
         : options_(options), model_(model_file(options)), settings_(options.settings) {
         learn::check(settings_);
         check_room(settings_);
+        for (const char* ending : {".npz", ".loss.csv", ".loss.png", ".preview.png", ".checkpoint"})
+            keep_inputs("beside the model,", beside(model_, ending), {options.picture}, "the picture that is learned");
         const std::string bytes = read_file(options.picture);
         picture_ = learn::parse_colours(bytes, options.picture.string());
         if (!options.resume && fs::exists(checkpoint()))

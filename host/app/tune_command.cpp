@@ -2,6 +2,7 @@
 #include "app/commands.hpp"
 #include "app/machine.hpp"
 #include "app/memory.hpp"
+#include "app/named_files.hpp"
 #include "app/prepare.hpp"
 #include "app/read_experiment.hpp"
 #include "app/say.hpp"
@@ -68,6 +69,7 @@ int tune_experiment(TuneOptions options) {
     options.run.backend = "opencl";
     prepare_json(options.json);
     const TuningJob job = job_of(options);
+    keep_inputs("--json", options.json, files_read(options.run.file, job.experiment), "what the run reads");
     if (options.worker) return answer_candidates(job);
     if (options.forget) forget_record(cache_folder(), key_of(job));
     const Tuning tuning = carried_out(job, options);

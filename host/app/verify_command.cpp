@@ -1,5 +1,6 @@
 // `pelage verify`: proves the kernels right, or wrong, on a device.
 #include "app/commands.hpp"
+#include "app/named_files.hpp"
 #include "app/prepare.hpp"
 #include "app/progress.hpp"
 #include "app/say.hpp"
@@ -98,6 +99,7 @@ int verify_all(const Request& request) {
     if (request.list) return list(options);
     prepare_json(request.json);
     prepare_json(request.page);
+    keep_inputs("--html", request.page, {request.json}, "the file of --json");
     const auto start = std::chrono::steady_clock::now();
     const std::vector<verify::Check> checks = selected(options);
     verify::Report report;

@@ -1,6 +1,7 @@
 // pelage-plot: draws what `pelage bench --json` wrote, contact sheets of `pelage sweep`, and loss curves of `pelage
 // learn`. A program of its own, so that the command needs no cairo.
 #include "bench/report_read.hpp"
+#include "core/error.hpp"
 #include "io/file_bytes.hpp"
 #include "plot/curve.hpp"
 #include "plot/plot.hpp"
@@ -10,6 +11,9 @@
 
 #include <cstdio>
 #include <exception>
+#include <filesystem>
+#include <string>
+#include <system_error>
 
 int main(int argc, char** argv) {
     if (argc != 3) {
@@ -24,6 +28,9 @@ int main(int argc, char** argv) {
         return 2;
     }
     try {
+        std::error_code none_there;
+        if (std::filesystem::equivalent(argv[1], argv[2], none_there))
+            throw pelage::Error(std::string(argv[2]) + " is what is drawn; name another file");
         const nlohmann::json what = nlohmann::json::parse(pelage::read_file(argv[1]));
         if (what.contains("mosaic"))
             pelage::plot::draw_sheet(what, argv[2]);

@@ -302,3 +302,59 @@ TEST_CASE("what the run reads is not replaced by --json") {
     CHECK_THAT(outcome.err, Contains("is what the run reads"));
     CHECK(test::read_all(file) == test::spots);
 }
+
+TEST_CASE("a run keeps what it includes and starts from: from --json, --video and its own results") {
+    const test::Folder folder;
+    std::filesystem::create_directories(folder / "out");
+    std::filesystem::create_directories(folder / "parts/more");
+    const std::string start = folder.write("parts/more/start.pex", "use chemical U conc 1\n");
+    const std::string parts = folder.write("parts/all.pex", "include \"more/start.pex\"\n");
+    const std::string shape = folder.write("out/final.txt", "oo\noo\n");
+    const std::string file = folder.write(
+        "a.pex", "define chemical U\ninclude \"parts/all.pex\"\ncreate shape \"out/final.txt\"\nstop at 2\n");
+    const auto refused = [&](const std::vector<std::string>& more) {
+        std::vector<std::string> words{"run", file, "--backend", "reference", "--quiet"};
+        words.insert(words.end(), more.begin(), more.end());
+        const Outcome outcome = command(words);
+        CHECK(outcome.exit_code == 2);
+        return outcome.err;
+    };
+    const std::string out = folder / "out", other = folder / "other";
+
+    for (const std::string& read : {start, parts, shape, file, (folder / "parts/../a.pex").string()})
+        CHECK(refused({"--out", other, "--json", read}) ==
+              "pelage: --json " + read + " is what the run reads; name another file\n");
+    CHECK_THAT(refused({"--out", out}), Contains("final.txt' is what the run reads, and its results would replace it"));
+    CHECK_FALSE(std::filesystem::exists(other));
+    CHECK(command({"run", file, "--backend", "reference", "--quiet", "--out", other}).exit_code == 0);
+
+    std::filesystem::create_directories(folder / "again");
+    const std::string drawn =
+        folder.write("again/drawn.pex",
+                     "define parameter p 1 from 0 to 2\ndefine chemical U\nuse chemical U conc p\ncreate cell 0 0\n");
+    CHECK_THAT(command({"run", drawn, "--random", "3", "--out", folder / "again"}).err,
+               Contains("choose another --out"));
+}
+
+TEST_CASE("no command writes over what it reads") {
+    const test::Folder folder;
+    std::filesystem::create_directories(folder / "out");
+    const std::string spots = folder.write("spots.pex", test::spots);
+    const std::string points = folder.write("out/sweep.csv", "p\n1\n2\n");
+    const std::string sheet = folder.write("out/sheet.svg", "p\n1\n2\n");
+    const std::string ratios = folder.write("ratios.json", "{}");
+    const auto refused = [&](const std::vector<std::string>& words, const std::string& read) {
+        const std::string before = test::read_all(read);
+        const Outcome outcome = command(words);
+        INFO(outcome.err);
+        CHECK(outcome.exit_code == 2);
+        CHECK_THAT(outcome.err, Contains(read + " is ") && Contains("name another file"));
+        CHECK(test::read_all(read) == before);
+    };
+    const std::string out = folder / "out";
+
+    refused({"tune", spots, "--json", spots}, spots);
+    refused({"bench", "--guard", ratios, "--json", ratios}, ratios);
+    refused({"sweep", spots, "--points", points, "--out", out}, points);
+    refused({"sweep", spots, "--points", sheet, "--sheet", "svg", "--out", out}, sheet);
+}

@@ -106,7 +106,8 @@ TEST_CASE("an unstable time step is refused with the largest that holds, --force
     const Outcome forced = command({"run", file, "--backend", "reference", "--out", folder / "out", "--force"});
 
     check_refused(refused, "chemical 'B'");
-    CHECK_THAT(refused.err, Contains("a rate of 3") && Contains("0.125") && Contains("it is 0.5") && Contains("--force"));
+    CHECK_THAT(refused.err,
+               Contains("a rate of 3") && Contains("0.125") && Contains("it is 0.5") && Contains("--force"));
     CHECK(forced.exit_code == 0);
     CHECK(std::filesystem::exists(folder / "out" / "final.exr"));
 }

@@ -81,6 +81,25 @@ TEST_CASE("the command writes an experiment that can be checked, or nothing") {
     CHECK(command({"import", copy, "-o", (folder / "no/where.pex").string()}).exit_code == 2);
 }
 
+TEST_CASE("the command does not write over what it imports, by its own name, another or a link") {
+    const Folder folder;
+    const std::string source = folder.write("y.json", file("labyrinth.json"));
+    const std::string before = read_all(source);
+    std::filesystem::create_symlink(source, folder / "link.pex");
+    for (const std::string& out : {source, (folder / "../").string() + folder.path().filename().string() + "/y.json",
+                                   (folder / "link.pex").string()}) {
+        const Outcome refused = command({"import", source, "-o", out});
+        CHECK(refused.exit_code == 2);
+        CHECK_THAT(refused.err, Catch::Contains("-o " + out + " is what is imported; name another file"));
+        CHECK(read_all(source) == before);
+    }
+    const std::string array = folder.write("x.a.npy", file("image.vti"));  // where the experiment's array would lie
+    const Outcome refused = command({"import", array, "-o", (folder / "x.pex").string()});
+    CHECK(refused.exit_code == 2);
+    CHECK_THAT(refused.err, Catch::Contains("x.a.npy is what is imported"));
+    CHECK(read_all(array) == file("image.vti"));
+}
+
 TEST_CASE("every file here runs") {
     std::size_t files = 0;
     for (const auto& entry : std::filesystem::directory_iterator(PELAGE_SOURCE "/tests/import")) {

@@ -101,6 +101,10 @@ TEST_CASE("what a training cannot be is told in a sentence, and leaves nothing")
     CHECK_THAT(command({"learn", picture, "--iterations", "9"}).err, Catch::Contains("LOW:HIGH"));
     CHECK_THAT(command({"learn", picture, "--size", "48", "--chemicals", "5"}).err, Catch::Contains("--chemicals 5"));
     CHECK_THAT(command({"learn", picture, "--size", "512", "--pool", "1000000"}).err, Catch::Contains("takes up to"));
+    const std::string preview = folder / "a.preview.png";
+    write_spots(preview);
+    CHECK_THAT(command({"learn", preview, "--out", folder / "a.npz"}).err,
+               Catch::Contains(preview + " is the picture that is learned"));
     CHECK_THAT(command({"learn", picture, "--out", "model.txt"}).err, Catch::Contains("must end in .npz"));
     CHECK_THAT(command({"learn", picture, "--out", "/proc/none/a.npz"}).err, Catch::Contains("/proc/none"));
     CHECK_THAT(command({"learn", (folder / "none.png").string()}).err, Catch::Contains("none.png"));
