@@ -93,6 +93,26 @@ TEST_CASE("check reads all files and names every bad one") {
     CHECK(command({"check"}).exit_code == 2);
 }
 
+TEST_CASE("a file without cells may be a part: check and run say so, exit code 2 as of any mistake") {
+    const Folder folder;
+    const std::string hint =
+        " (this file has no 'create ...'; if it is a part that others include, give an experiment that does)\n";
+    const std::string part = folder.write("part.pex", "// colours\noutput rgb (A) (B) (1 - A)\n");
+    const std::string chemistry = folder.write("chemistry.pex", "define chemical A\n");
+    const std::string created = folder.write("created.pex", "output rgb (A) (B) (1 - A)\n create matrix 2 2\n");
+    const std::string mistyped = folder.write("mistyped.pex", "define chemical A\ncraete matrix 2 2\n");
+
+    for (const std::string verb : {"check", "run"}) {
+        for (const std::string& file : {part, chemistry}) {
+            const Outcome outcome = command({verb, file});
+            CHECK(outcome.exit_code == 2);
+            CHECK_THAT(outcome.err, Catch::EndsWith(hint));
+        }
+        CHECK_THAT(command({verb, part}).err, Contains("part.pex:2:13: unknown name 'A'"));
+        for (const std::string& file : {created, mistyped}) CHECK_THAT(command({verb, file}).err, !Contains("a part"));
+    }
+}
+
 TEST_CASE("check warns of what hardly means what it says, and --strict fails on it") {
     const Folder folder;
     const std::string good = folder.write("good.pex", test::spots);
