@@ -2,6 +2,7 @@
 #include "app/film_painter.hpp"
 
 #include "io/brush.hpp"
+#include "io/frame_loops.hpp"
 #include "io/mesh_results.hpp"
 #include "io/output_file.hpp"
 #include "io/projection.hpp"
@@ -49,17 +50,6 @@ Picture of_surface(const Surface& surface, const Output& output, const ValueRang
 
 QuickColours::Word rgb_word(const Rgb& rgb) {
     return QuickColours::Word{rgb[0]} << 16 | QuickColours::Word{rgb[1]} << 8 | rgb[2];
-}
-
-// With room for a sum of four.
-QuickColours::Word parts_word(const Rgb& rgb) {
-    return QuickColours::Word{rgb[0]} << 20 | QuickColours::Word{rgb[1]} << 10 | rgb[2];
-}
-
-// The mean of 2 x 2 pixels, as framed() has it, for Yuv420.
-QuickColours::Word yuv_of_mean(QuickColours::Word sum) {
-    const auto part = [&](int place) { return static_cast<std::uint8_t>((((sum >> place) & 1023) + 2) / 4); };
-    return yuv_word({part(20), part(10), part(0)});
 }
 
 Rgb rgb_of(QuickColours::Word word) {
@@ -177,10 +167,8 @@ void FilmPainter::halved(const Shot& shot, const Colours& colours, std::string& 
         const float* two_rows = shot.values.data() + 2 * (frame_.rows - 1 - line) * shot.columns;
         quick_parts().draw(colours, two_rows, 4 * columns, words.data());
         QuickColours::Word* means = lines.data() + line % 2 * columns;
-        for (std::size_t i = 0; i < columns; ++i) {
-            means[i] =
-                yuv_of_mean(words[2 * i] + words[2 * i + 1] + words[2 * (columns + i)] + words[2 * (columns + i) + 1]);
-        }
+        mean_words(words.data(), words.data() + 2 * columns, columns, means);
+        to_yuv(means, columns, means);
         if (line % 2 == 1) planes.put(line - 1, lines.data(), lines.data() + columns);
     }
 }

@@ -2,6 +2,7 @@
 #include "io/frame.hpp"
 
 #include "core/error.hpp"
+#include "io/frame_loops.hpp"
 
 #include <fmt/format.h>
 
@@ -51,18 +52,6 @@ Rgb mean_of(const Picture& picture, const Stretch& columns, const Stretch& lines
     return mean;
 }
 
-// Where the parts of a word lie.
-constexpr int red_place = 10;
-constexpr int bright_place = 20;
-
-std::uint32_t whole_part(int sum) { return static_cast<std::uint32_t>(sum >> 16); }
-
-std::uint8_t part_of(std::uint32_t word, int place) { return static_cast<std::uint8_t>(word >> place); }
-
-std::uint8_t mean_of_four(std::uint32_t sum, int place) {
-    return static_cast<std::uint8_t>((((sum >> place) & 1023) + 2) / 4);
-}
-
 }  // namespace
 
 std::size_t Scale::of(std::size_t length) const { return std::max<std::size_t>(1, length * to / from); }
@@ -90,13 +79,15 @@ Picture framed(const Picture& picture, const Scale& scale, std::size_t frame_col
     return frame;
 }
 
-// In 1/65536; a half is added to each.
+std::uint32_t parts_word(const Rgb& rgb) {
+    return std::uint32_t{rgb[0]} << high_part | std::uint32_t{rgb[1]} << middle_part |
+           std::uint32_t{rgb[2]} << low_part;
+}
+
 std::uint32_t yuv_word(const Rgb& rgb) {
-    const int r = rgb[0], g = rgb[1], b = rgb[2];
-    const std::uint32_t bright = whole_part(11966 * r + 40254 * g + 4064 * b + (16 << 16) + (1 << 15));
-    const std::uint32_t blue = whole_part(28784 * b - 6596 * r - 22188 * g + (128 << 16) + (1 << 15));
-    const std::uint32_t red = whole_part(28784 * r - 26145 * g - 2639 * b + (128 << 16) + (1 << 15));
-    return bright << bright_place | red << red_place | blue;
+    std::uint32_t word = parts_word(rgb);
+    to_yuv(&word, 1, &word);
+    return word;
 }
 
 Yuv420::Yuv420(std::size_t columns, std::size_t rows, std::string& to) : columns_(columns) {
@@ -110,16 +101,10 @@ Yuv420::Yuv420(std::size_t columns, std::size_t rows, std::string& to) : columns
 }
 
 void Yuv420::put(std::size_t line, const std::uint32_t* above, const std::uint32_t* below) {
-    std::uint8_t* bright = bright_ + line * columns_;
-    for (std::size_t i = 0; i < columns_; ++i) bright[i] = part_of(above[i], bright_place);
-    for (std::size_t i = 0; i < columns_; ++i) bright[columns_ + i] = part_of(below[i], bright_place);
-    std::uint8_t* blue = blue_ + line / 2 * (columns_ / 2);
-    std::uint8_t* red = red_ + line / 2 * (columns_ / 2);
-    for (std::size_t i = 0; i < columns_ / 2; ++i) {
-        const std::uint32_t sum = above[2 * i] + above[2 * i + 1] + below[2 * i] + below[2 * i + 1];
-        blue[i] = mean_of_four(sum, 0);
-        red[i] = mean_of_four(sum, red_place);
-    }
+    take_high_parts(above, columns_, bright_ + line * columns_);
+    take_high_parts(below, columns_, bright_ + (line + 1) * columns_);
+    const std::size_t quarter = line / 2 * (columns_ / 2);
+    mean_parts(above, below, columns_ / 2, blue_ + quarter, red_ + quarter);
 }
 
 void write_yuv420(const Picture& picture, std::string& to) {
@@ -127,7 +112,8 @@ void write_yuv420(const Picture& picture, std::string& to) {
     std::vector<std::uint32_t> words(2 * picture.columns);
     for (std::size_t line = 0; line < picture.rows; line += 2) {
         const auto* from = picture.pixels.data() + line * picture.columns;
-        std::transform(from, from + words.size(), words.begin(), yuv_word);
+        std::transform(from, from + words.size(), words.begin(), parts_word);
+        to_yuv(words.data(), words.size(), words.data());
         planes.put(line, words.data(), words.data() + picture.columns);
     }
 }

@@ -24,8 +24,9 @@ Scale fitting_scale(std::size_t columns, std::size_t rows, std::size_t frame_col
 // pixels take the mean of those they stand for. What does not fit is cut off.
 Picture framed(const Picture&, const Scale&, std::size_t frame_columns, std::size_t frame_rows);
 
-// A colour's brightness (16 to 235) and colour differences (16 to 240) by ITU-R BT.709, in places of a word that leave
-// room for a sum of four.
+// A colour in a word of three parts (see frame_loops.hpp): red, green and blue, or brightness (16 to 235) and colour
+// differences (16 to 240) by ITU-R BT.709.
+std::uint32_t parts_word(const Rgb&);
 std::uint32_t yuv_word(const Rgb&);
 
 // Such words as three planes, as ffmpeg's yuv420p wants them: of the differences the mean of every 2 x 2 pixels.

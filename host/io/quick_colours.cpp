@@ -1,6 +1,8 @@
 // See quick_colours.hpp.
 #include "io/quick_colours.hpp"
 
+#include "io/frame_loops.hpp"
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -11,20 +13,6 @@ namespace {
 
 constexpr double piece_margin = 0.02;  // of a piece: more than rounding moves a value
 constexpr std::size_t stride = 512;    // values whose places are found at a time
-
-// Places in the table; `low` is at place 1. Compilers take several values at once.
-template <class Number>
-void find_places(const float* values, std::size_t count, Number low, Number scale, Number top, Number of_nan,
-                 std::int32_t* places) {
-    for (std::size_t i = 0; i < count; ++i) {
-        const Number value = values[i];
-        Number place = (value - low) * scale + 1;
-        place = place > 0 ? place : 0;
-        place = place < top ? place : top;
-        place = value == value ? place : of_nan;
-        places[i] = static_cast<std::int32_t>(place);
-    }
-}
 
 }  // namespace
 
@@ -67,9 +55,10 @@ void QuickColours::draw(const Colours& colours, const float* values, std::size_t
     for (std::size_t begin = 0; begin < count; begin += stride) {
         const std::size_t some = std::min(stride, count - begin);
         if (single) {
-            find_places<float>(values + begin, some, single_low, single_scale, pieces + 1, nan_place, places.data());
+            find_places(values + begin, some, Placing<float>{single_low, single_scale, pieces + 1, nan_place},
+                        places.data());
         } else {
-            find_places<double>(values + begin, some, low, scale, pieces + 1, nan_place, places.data());
+            find_places(values + begin, some, Placing<double>{low, scale, pieces + 1, nan_place}, places.data());
         }
         look_up(colours, values + begin, std::span(places).first(some), to + begin);
     }
@@ -77,36 +66,24 @@ void QuickColours::draw(const Colours& colours, const float* values, std::size_t
 
 void QuickColours::look_up(const Colours& colours, const float* values, std::span<const std::int32_t> places,
                            Word* to) const {
-    Word seen = 0;
-    for (std::size_t i = 0; i < places.size(); ++i) {
-        to[i] = table_[static_cast<std::size_t>(places[i])];
-        seen |= to[i];
-    }
+    const Word seen = look_up_words(table_.data(), places.data(), places.size(), to);
     if ((seen & mixed) == 0) return;
     for (std::size_t i = 0; i < places.size(); ++i) {
         if ((to[i] & mixed) != 0) to[i] = form_(colours(double{values[i]}));
     }
 }
 
-// Side by side, so that the compiler can take several values at once.
 ValueRange range_of(std::span<const float> values) {
-    constexpr std::size_t lanes = 16;
     constexpr float infinite = std::numeric_limits<float>::infinity();
-    std::array<float, lanes> low;
-    std::array<float, lanes> high;
+    std::array<float, finite_lanes> low, high;
     low.fill(infinite);
     high.fill(-infinite);
-    const auto look = [&](float value, std::size_t lane) {
-        const float from_below = value > -infinite ? value : infinite;  // a NaN: too
-        const float from_above = value < infinite ? value : -infinite;
-        low[lane] = from_below < low[lane] ? from_below : low[lane];
-        high[lane] = from_above > high[lane] ? from_above : high[lane];
-    };
-    std::size_t at = 0;
-    for (; at + lanes <= values.size(); at += lanes) {
-        for (std::size_t lane = 0; lane < lanes; ++lane) look(values[at + lane], lane);
-    }
-    for (; at < values.size(); ++at) look(values[at], 0);
+    const std::size_t rounds = values.size() / finite_lanes;
+    widen_lanes(values.data(), rounds, low.data(), high.data());
+    std::array<float, finite_lanes> rest;
+    rest.fill(std::numeric_limits<float>::quiet_NaN());
+    std::ranges::copy(values.subspan(rounds * finite_lanes), rest.begin());
+    widen_lanes(rest.data(), 1, low.data(), high.data());
     ValueRange range;
     const float least = *std::ranges::min_element(low);
     const float most = *std::ranges::max_element(high);
