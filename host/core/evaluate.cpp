@@ -53,18 +53,28 @@ void compute(const ExpressionNode& node, const T* const* a, std::size_t count, T
 template <class T>
 class Blocks {
 public:
-    Blocks(const Expression& expression, const Leaves<T>& leaves)
-        : expression_(expression), leaves_(leaves), blocks_(expression.nodes.size()), at_(expression.nodes.size()) {
+    Blocks(const Expression& expression, const Leaves<T>& leaves, std::size_t cells)
+        : expression_(expression),
+          leaves_(leaves),
+          blocks_(expression.nodes.size()),
+          at_(expression.nodes.size()),
+          shared_(expression.nodes.size()) {
         for (std::size_t n = 0; n < blocks_.size(); ++n) {
             at_[n] = blocks_[n].data();
-            if (of(n).operation == Operation::operand && leaves_.values[n].values == nullptr)
-                blocks_[n].fill(leaves_.values[n].everywhere);
+            shared_[n] = of(n).operation == Operation::operand
+                             ? leaves_.values[n].values == nullptr
+                             : std::ranges::all_of(of(n).arguments, [&](std::size_t i) { return shared_[i]; });
+            if (!shared_[n]) continue;
+            if (of(n).operation == Operation::operand) blocks_[n].fill(leaves_.values[n].everywhere);
+            node(n, 0, std::min(cells, block_size));
         }
     }
 
     // The values of `count` cells from `first` on.
     const T* take(std::size_t first, std::size_t count) {
-        for (std::size_t n = 0; n < blocks_.size(); ++n) node(n, first, count);
+        for (std::size_t n = 0; n < blocks_.size(); ++n) {
+            if (!shared_[n]) node(n, first, count);
+        }
         return at_.back();
     }
 
@@ -94,13 +104,14 @@ private:
     std::vector<Block<T>> blocks_;
     std::vector<const T*> at_;  // where each node's values lie
     std::vector<const T*> arguments_;
+    std::vector<bool> shared_;  // whether a node has the same value for all cells: it is computed once
 };
 
 }  // namespace
 
 template <class T>
 void evaluate(const Expression& expression, const Leaves<T>& leaves, std::size_t cells, T* out) {
-    Blocks<T> blocks(expression, leaves);
+    Blocks<T> blocks(expression, leaves, cells);
     for (std::size_t first = 0; first < cells; first += block_size) {
         const std::size_t count = std::min(block_size, cells - first);
         std::copy_n(blocks.take(first, count), count, out + first);

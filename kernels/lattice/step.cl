@@ -71,6 +71,7 @@ kernel void pelage_lattice_step(global scalar* even_conc, global scalar* odd_con
         global scalar* const old_polarity = step % 2 == 0 ? even_polarity : odd_polarity;
         global scalar* const new_polarity = step % 2 == 0 ? odd_polarity : even_polarity;
         //@ planes
+        //@ shared
         for (int x = (int)get_global_id(0) * PELAGE_WIDTH; x < columns; x += (int)get_global_size(0) * PELAGE_WIDTH) {
             const mask held = TO_MASK((LANES + (uintv)((uint)x)) < (uintv)((uint)columns));
             //@ start

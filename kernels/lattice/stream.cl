@@ -143,6 +143,7 @@ kernel __attribute__((reqd_work_group_size(PELAGE_GROUP, 1, 1))) void pelage_lat
                     }
                     barrier(CLK_LOCAL_MEM_FENCE);
                 }
+                //@ shared
                 for (int c = lane; c < vectors; c += PELAGE_GROUP) {
                     const int x = x0 + c * PELAGE_WIDTH;
                     //@ resume

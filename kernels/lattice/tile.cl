@@ -73,6 +73,7 @@ kernel __attribute__((reqd_work_group_size(PELAGE_GROUP, 1, 1))) void pelage_lat
     for (int level = 0; level < steps; ++level) {
         const int step = level;
         const uint iteration = first + (uint)step;
+        //@ shared
         // What is still of worth: all but the outermost level + 1 rows and columns, whole vectors of them.
         const int from = (level + 1) / PELAGE_WIDTH;
         const int across = (wide - level - 2) / PELAGE_WIDTH + 1 - from;

@@ -68,6 +68,7 @@ kernel void pelage_volume_step(global scalar* even_conc, global scalar* odd_conc
             global scalar* const old_rate = step % 2 == 0 ? even_rate : odd_rate;
             global scalar* const new_rate = step % 2 == 0 ? odd_rate : even_rate;
             //@ planes
+            //@ shared
             const int from = between ? low - step : low + (meets_below ? step : 0);
             const int to = between ? low + step : high - (meets_above ? step : 0);
             for (int r = from; r < to; ++r) {

@@ -2,6 +2,7 @@
 #include "core/prepattern.hpp"
 #include "language/parse.hpp"
 #include "opencl/backend.hpp"
+#include "opencl/rules/emit_rules.hpp"
 #include "reference/backend.hpp"
 #include "support/form.hpp"
 #include "verify/compare.hpp"
@@ -173,6 +174,20 @@ TEST_CASE("a stencil with a name takes what its weights say, and Laplacians of h
         CHECK(state.conc[1][column] == Approx(eigenvalue * std::cos(k * static_cast<double>(column))).margin(1e-12));
         CHECK(state.conc[0][column] == Approx(std::cos(k * static_cast<double>(column + 1))).margin(1e-12));
     }
+}
+
+TEST_CASE("What is the same for all cells in an iteration is computed before the loops over cells") {
+    const Experiment experiment = parse_experiment(
+        "define chemical U\ndefine chemical V\nuse chemical U conc 1\nuse chemical V conc 1\ncreate matrix 4 4\n"
+        "rule if (sin(ITERATION) > 0) change U conc (0.03 * cos(TIME / 100) + exp(V) * tan(ITERATION))\n",
+        "course.pex", ".");
+    const RuleText text = emit_rules(experiment, {true}, Precision::single_);
+    for (const char* own : {"pelage_sin", "pelage_cos", "pelage_tan"}) {
+        CHECK_THAT(text.shared, Catch::Contains(own));
+        CHECK_THAT(text.rules, !Catch::Contains(own));
+    }
+    CHECK_THAT(text.rules, Catch::Contains("pelage_exp"));
+    CHECK_THAT(text.shared, !Catch::Contains("pelage_exp"));
 }
 
 TEST_CASE("Expressions on a published grid and on free cells have the reference's bits") {

@@ -264,7 +264,7 @@ CellsSource cells_step_source(const Experiment& experiment, const std::vector<bo
     for (const std::string& file : rule_files(rules.use)) source.file(file);
     source.file("cells/state.cl");
     source.file("cells/step.cl", {{"LOAD", emitter.load()},
-                                  {"RULES", rules.rules},
+                                  {"RULES", rules.shared + rules.rules},
                                   {"MAPPINGS", emitter.mappings()},
                                   {"NEIGHBOUR", emitter.neighbour()},
                                   {"FINISH", emitter.finish()}});

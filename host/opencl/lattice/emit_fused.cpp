@@ -34,6 +34,7 @@ public:
                 {"resume", resume()},
                 {"row", row()},
                 {"cell", cell()},
+                {"shared", text.shared},
                 {"rules", traits_.look() + text.rules},
                 {"diffusion", diffusion()},
                 {"neighbours", traits_.visits() ? neighbours_text(traits_.visit()) : ""},

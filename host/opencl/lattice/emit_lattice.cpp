@@ -72,6 +72,7 @@ public:
         return {{"parameters", emit_parameters(plan_, bounded_, text.numbers)},
                 {"planes", planes()},
                 {"cell", cell()},
+                {"shared", text.shared},
                 {"rules", traits_.look() + text.rules},
                 {"neighbours", traits_.visits() ? traits_.around(traits_.visit(means_)) : ""},
                 {"replace", text.replace},

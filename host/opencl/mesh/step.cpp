@@ -31,7 +31,7 @@ public:
         return {{"parameters", rules_.numbers.declarations(rules_place(experiment_))},
                 {"cell", cell()},
                 {"look", look()},
-                {"rules", rules_.rules},
+                {"rules", rules_.shared + rules_.rules},
                 {"neighbour", neighbour()},
                 {"finish", finish()}};
     }

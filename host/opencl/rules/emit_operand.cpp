@@ -154,10 +154,16 @@ std::string OperandEmitter::exactly(const Operand& left, Comparison comparison, 
 
 namespace {
 
+bool same_for_all(const Operand& operand) {
+    return operand.quantity == Quantity::number || operand.quantity == Quantity::iteration ||
+           operand.quantity == Quantity::time;
+}
+
 // A node's value in OpenCL C, as a number and as a truth.
 struct Value {
     std::string text;
     bool truth = false;
+    bool shared = false;  // by all cells in an iteration
 
     std::string number() const { return truth ? fmt::format("SELECT({}, R(1), R(0))", text) : text; }
     std::string mask() const { return truth ? text : fmt::format("({} != R(0))", text); }
@@ -201,14 +207,16 @@ std::string computed(const ExpressionNode& node, const std::vector<Value>& value
 }  // namespace
 
 // Every node that computes something is declared: what is said twice is not computed twice, and nesting has no limit.
+// No compiler takes a function such as sin(ITERATION) out of a loop by itself.
 std::string OperandEmitter::expression(const Expression& expression) {
     std::vector<Value> values;
     for (const ExpressionNode& node : expression.nodes) {
         if (node.operation == Operation::operand) {
-            values.push_back({text(node.operand), false});
+            values.push_back({text(node.operand), false, same_for_all(node.operand)});
             continue;
         }
         const bool truth = gives_truth(node.operation);
+        const bool shared = std::ranges::all_of(node.arguments, [&](std::size_t i) { return values[i].shared; });
         std::string value;
         if (node.operation == Operation::compare && compares_exactly(expression, node)) {
             const auto operand = [&](std::size_t nth) { return expression.nodes[node.arguments[nth]].operand; };
@@ -218,8 +226,8 @@ std::string OperandEmitter::expression(const Expression& expression) {
         }
         if (node.operation == Operation::call) use_.functions.insert(node.function);
         const std::string name = fmt::format("x{}_{}", rule_, parts_++);
-        pending_ += fmt::format("const {} {} = {};\n", truth ? "mask" : "real", name, value);
-        values.push_back({name, truth});
+        (shared ? shared_ : pending_) += fmt::format("const {} {} = {};\n", truth ? "mask" : "real", name, value);
+        values.push_back({name, truth, shared});
     }
     return values.back().number();
 }

@@ -8,6 +8,7 @@
 #include <cstdint>
 #include <set>
 #include <string>
+#include <utility>
 
 namespace pelage {
 
@@ -29,6 +30,8 @@ public:
     // first use.
     std::string take_declarations();
     bool has_declarations() const { return !pending_.empty(); }
+    // Likewise, of what is the same for all cells in an iteration: to be put before the loops over cells.
+    std::string take_shared() { return std::exchange(shared_, {}); }
 
     void note_use(RuleUse&) const;
 
@@ -45,6 +48,7 @@ private:
     std::size_t parts_ = 0;  // of expressions
     std::set<std::uint32_t> declared_;
     std::string pending_;
+    std::string shared_;
     RuleUse use_;
 };
 

@@ -84,6 +84,7 @@ public:
         line(fmt::format("const mask t{} = {};", place_, always_ ? "ALL_TRUE" : condition));
         std::visit([&](const auto& action) { act(action); }, rule_.action);
         operands_.note_use(out_.use);
+        out_.shared += operands_.take_shared();
     }
 
 private:

@@ -62,7 +62,9 @@ struct RuleUse {                                // what the emitted rules need o
 };
 
 struct RuleText {
-    std::string rules;    // declarations included; `set` and clamping of rates too
+    std::string
+        shared;         // what is the same for all cells in an iteration; reads `iteration`, dt, the begin of the phase
+    std::string rules;  // after that; declarations included; `set` and clamping of rates too
     std::string replace;  // after diffusion, before the bounds: `set` of concentrations
     RuleUse use;
     Numbers numbers;  // those of all rules; declared are those of the rules that are not left out
