@@ -145,6 +145,50 @@ TEST_CASE("volume: waves decay as the stencil's symbol says") {
     }
 }
 
+// Turing's reaction rests at u = v = 4 where alpha is 16 and beta 12. A small wave around that grows as linear theory
+// says, step by step: (a, b) becomes (1 + dt (J + S D)) (a, b), J the reaction's slopes there, S the stencil's symbol.
+TEST_CASE("volume: small waves of Turing's reaction grow and decay as linear theory says") {
+    constexpr double turn = 2 * std::numbers::pi, dt = 0.02, rate_u = 5, rate_v = 1;
+    constexpr int steps = 60;
+    bool grew = false, decayed = false;
+    for (const Stencil stencil : volume_stencils) {
+        Experiment experiment = test::volume(8, 6, 10, Boundary::wrap, stencil, {"U", "V"});
+        experiment.phases[0].time_step = dt;
+        experiment.rules = {
+            test::rule(React{model_named("turing"), {0, 1}, test::number(1), {test::number(16), test::number(12)}})};
+        for (const auto& [i, j, k] :
+             {std::array{0, 0, 0}, {1, 0, 0}, {0, 0, 1}, {1, 0, 1}, {0, 1, 1}, {1, 1, 1}, {3, 2, 4}}) {
+            const double p = turn * i / 8, q = turn * j / 6, r = turn * k / 10;
+            const auto wave = [&](double x, double y, double z) { return std::cos(p * x + q * y + r * z); };
+            const std::vector<double> shape = started(experiment, rate_u, wave).conc[0];
+            double a = 1e-7, b = 5e-8;
+            Snapshot state = started(experiment, rate_u, [](double, double, double) { return 4.0; });
+            state.conc[1] = state.conc[0];
+            state.diff[1].assign(state.cells(), rate_v);
+            for (std::size_t cell = 0; cell < state.cells(); ++cell) {
+                state.conc[0][cell] += a * shape[cell];
+                state.conc[1][cell] += b * shape[cell];
+            }
+            state = test::after(steps, experiment, state);
+            const double s = symbol(stencil, p, q, r), before = std::hypot(a, b);
+            for (int step = 0; step < steps; ++step) {
+                const double flow_u = -4 * a - 4 * b + s * rate_u * a, flow_v = 4 * a + 3 * b + s * rate_v * b;
+                a += dt * flow_u;
+                b += dt * flow_v;
+            }
+            INFO("symbol " << s << ", from " << before << " to " << std::hypot(a, b));
+            grew = grew || (i + j + k > 0 && std::hypot(a, b) > 1.1 * before);
+            decayed = decayed || std::hypot(a, b) < 0.5 * before;
+            for (std::size_t cell = 0; cell < state.cells(); ++cell) {
+                REQUIRE(state.conc[0][cell] - 4 == Approx(a * shape[cell]).margin(1e-12));
+                REQUIRE(state.conc[1][cell] - 4 == Approx(b * shape[cell]).margin(1e-12));
+            }
+        }
+    }
+    CHECK(grew);
+    CHECK(decayed);
+}
+
 TEST_CASE("volume: the Laplacian is of second order in space") {
     for (const Stencil stencil : volume_stencils) {
         const double coarse = error_of_laplacian(stencil, 12);
