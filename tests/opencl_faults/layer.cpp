@@ -303,6 +303,15 @@ cl_int clEnqueueNDRangeKernel(cl_command_queue queue, cl_kernel kernel, cl_uint 
                                                        offset, global, local, waits, wait);
 }
 
+cl_int clEnqueueReadBufferRect(cl_command_queue queue, cl_mem buffer, cl_bool blocking, const size_t* from,
+                               const size_t* to, const size_t* region, size_t from_row, size_t from_slice,
+                               size_t to_row, size_t to_slice, void* memory, cl_uint waits, const cl_event* list,
+                               cl_event* event) {
+    return enqueuing<decltype(clEnqueueReadBufferRect)>("clEnqueueReadBufferRect", event, queue, buffer, blocking, from,
+                                                        to, region, from_row, from_slice, to_row, to_slice, memory,
+                                                        waits, list);
+}
+
 cl_int clEnqueueReadBuffer(cl_command_queue queue, cl_mem buffer, cl_bool blocking, size_t offset, size_t size,
                            void* to, cl_uint waits, const cl_event* wait, cl_event* event) {
     return enqueuing<decltype(clEnqueueReadBuffer)>("clEnqueueReadBuffer", event, queue, buffer, blocking, offset, size,

@@ -95,7 +95,7 @@ TEST_CASE("each tile ends in the bits of its single run, on both backends, struc
 }
 
 TEST_CASE(
-    "a sweep that is cut off goes on where it was, and ends in the same table; another one is refused its folder") {
+    "a sweep that is cut off goes on where it was, and ends in the same table, another one is refused its folder") {
     const Bench bench;
     const std::vector<std::string> words{"--vary", "K=0.05:0.07:5", "--vary", "F=0.02,0.04"};
     REQUIRE(bench.sweep(words, "whole").exit_code == 0);
