@@ -1,7 +1,10 @@
 // See interrupt.hpp.
 #include "app/interrupt.hpp"
 
+#include <unistd.h>
+
 #include <array>
+#include <cerrno>
 #include <csignal>
 #include <cstddef>
 
@@ -13,10 +16,22 @@ constexpr std::array<int, 4> signals{SIGINT, SIGTERM, SIGHUP, SIGXCPU};
 
 volatile std::sig_atomic_t mark = 0;
 std::array<struct sigaction, signals.size()> before;
+struct sigaction before_alarm;
+
+constexpr unsigned patience = 3;  // seconds
+constexpr char hint[] =
+    "\npelage: stopping after what is being computed; Ctrl-C again ends at once, without a checkpoint\n";
+
+extern "C" void tell_of_second(int) {
+    const int error = errno;
+    if (write(STDERR_FILENO, hint, sizeof hint - 1) < 0) errno = error;  // nobody reads it
+    errno = error;
+}
 
 extern "C" void set_mark(int signal) {
     mark = 1;
     if (signal == SIGXCPU) return;  // it comes again every second
+    if (signal == SIGINT) alarm(patience);
     for (std::size_t i = 0; i < signals.size(); ++i) {
         if (signals[i] == signal) sigaction(signal, &before[i], nullptr);
     }
@@ -35,9 +50,16 @@ Interrupt::Interrupt() {
         sigemptyset(&action.sa_mask);
         sigaction(signals[i], &action, nullptr);
     }
+    struct sigaction action {};
+    action.sa_handler = tell_of_second;
+    action.sa_flags = SA_RESTART;
+    sigemptyset(&action.sa_mask);
+    sigaction(SIGALRM, &action, &before_alarm);
 }
 
 Interrupt::~Interrupt() {
+    alarm(0);
+    sigaction(SIGALRM, &before_alarm, nullptr);
     for (std::size_t i = 0; i < signals.size(); ++i) sigaction(signals[i], &before[i], nullptr);
 }
 

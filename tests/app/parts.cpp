@@ -1,5 +1,6 @@
 // Parts of the command that can be judged without running it.
 #include "app/finite_guard.hpp"
+#include "app/interrupt.hpp"
 #include "app/memory.hpp"
 #include "app/progress.hpp"
 #include "app/run_options.hpp"
@@ -9,6 +10,13 @@
 #include "texts.hpp"
 
 #include <catch2/catch.hpp>
+
+#include <unistd.h>
+
+#include <algorithm>
+#include <array>
+#include <csignal>
+#include <string>
 
 using namespace pelage::app;
 
@@ -97,6 +105,28 @@ TEST_CASE("the printed command is quoted for the shell") {
     options.video.size = "64x48";
     CHECK_THAT(resume_command(options, "out/c.pelage", 40, -3),
                Catch::Contains(" --video 'films/it'\\''s.new-40.mp4' --video-of V --size 64x48 --fast"));
+}
+
+TEST_CASE("where a run goes on for seconds after Ctrl-C a line tells of the second one") {
+    std::array<int, 2> ends{};
+    REQUIRE(pipe(ends.data()) == 0);
+    const int own = dup(STDERR_FILENO);
+    {
+        const Interrupt interrupt;
+        raise(SIGINT);
+        CHECK(Interrupt::came());
+        CHECK(alarm(0) > 0);  // it would come
+        dup2(ends[1], STDERR_FILENO);
+        raise(SIGALRM);
+        dup2(own, STDERR_FILENO);
+        alarm(100);
+    }
+    CHECK(alarm(0) == 0);
+    std::array<char, 200> text{};
+    const auto count = read(ends[0], text.data(), text.size());
+    CHECK_THAT(std::string(text.data(), static_cast<std::size_t>(std::max<ssize_t>(count, 0))),
+               Catch::Contains("Ctrl-C again ends at once"));
+    for (const int one : {ends[0], ends[1], own}) close(one);
 }
 
 TEST_CASE("the memory a run needs counts its growth") {
