@@ -64,8 +64,7 @@ std::string draw_sheet(const std::filesystem::path& folder, const Experiment& ex
                        const std::vector<sweep::TilePicture>& tiles, std::size_t across, const std::string& ending,
                        const std::string& title) {
     constexpr std::size_t least = 96;  // pixels of a tile's longer side
-    Output output = experiment.outputs.at(first_of_colours(experiment.outputs));
-    if (output.rgb()) output.colormap = Colormap{"gray", {}};
+    const Output& output = experiment.outputs.at(first_of_colours(experiment.outputs));
     const sweep::Layout layout = sweep::layout(axes, tiles.size(), across);
     const sweep::Mosaic mosaic = sweep::mosaic(tiles, layout, output, least);
     if (mosaic.picture.pixels.empty()) return "no tile could be drawn, so there is no contact sheet";
@@ -86,8 +85,10 @@ std::string draw_sheet(const std::filesystem::path& folder, const Experiment& ex
         sheet["x"] = {{"name", axes.front().name}, {"values", values}};
         sheet["y"] = upward(axes, replicates);
     }
-    sheet["range"] = {mosaic.range.low, mosaic.range.high};
-    sheet["colours"] = colours_of(output, mosaic.range);
+    if (!output.rgb()) {
+        sheet["range"] = {mosaic.range.low, mosaic.range.high};
+        sheet["colours"] = colours_of(output, mosaic.range);
+    }
     write_file(work.path() / "sheet.json", sheet.dump() + "\n");
     draw_report(work.path() / "sheet.json", folder / ("sheet." + ending));
     return {};

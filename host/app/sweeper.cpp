@@ -188,7 +188,7 @@ private:
         for (std::size_t tile = 0; tile < design_.points.size(); ++tile) {
             sweep::TilePicture picture;
             if (auto values = runner_.values_there(tile))
-                picture = {values->shape.at(1), values->shape.at(0), std::move(values->values)};
+                picture = {values->shape.back(), values->shape.rbegin()[1], std::move(values->values)};
             tiles.push_back(std::move(picture));
         }
         const std::string note = draw_sheet(folder_, first_, design_.axes, options_.replicates, tiles, options_.across,

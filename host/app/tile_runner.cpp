@@ -90,6 +90,7 @@ std::optional<std::string> TileRunner::carry_out(Backend& backend, std::size_t t
         if (!result) return std::nullopt;
         keep(experiment, tile, result->state);
     }
+    result->of = sweep::measured(experiment);
     const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
     return table_.row(tile, design_.points[tile], experiment.run_seed(), *result, seconds);
 }
@@ -109,7 +110,8 @@ std::optional<NpyArray> TileRunner::values_there(std::size_t tile) const {
     if (!std::filesystem::exists(values_of(tile))) return std::nullopt;
     try {
         NpyArray array = read_npy(values_of(tile));
-        if (array.shape.size() == 2) return array;
+        const bool planes = array.shape.size() == 3 && array.shape[0] == 3;  // of `rgb`
+        if (array.shape.size() == 2 || planes) return array;
     } catch (const Error&) {
         return std::nullopt;  // damaged: as if it were not there
     }
@@ -119,7 +121,10 @@ std::optional<NpyArray> TileRunner::values_there(std::size_t tile) const {
 std::filesystem::path TileRunner::values_of(std::size_t tile) const { return folder_ / fmt::format(".{}.npy", tile); }
 
 void TileRunner::keep(const Experiment& experiment, std::size_t tile, const Snapshot& state) const {
-    write_npy(values_of(tile), {state.rows, state.columns}, sweep::shown(experiment, state), NpyType::float32);
+    const std::vector<double> shown = sweep::shown(experiment, state);
+    std::vector<std::size_t> shape{state.rows, state.columns};
+    if (shown.size() > state.cells()) shape.insert(shape.begin(), shown.size() / state.cells());
+    write_npy(values_of(tile), shape, shown, NpyType::float32);
     if (options_.run.formats.empty()) return;
     ResultOptions what;
     what.formats = options_.run.format_list();

@@ -78,7 +78,7 @@ public:
         cairo_select_font_face(cairo, "sans-serif", CAIRO_FONT_SLANT_NORMAL, CAIRO_FONT_WEIGHT_NORMAL);
         text(m_.left, m_.top / 2, what_.at("title").get<std::string>(), m_.letters * 1.15, 0);
         if (what_.contains("x")) axes();
-        bar();
+        if (what_.contains("colours")) bar();
     }
 
     void write(const std::filesystem::path& file) {

@@ -28,6 +28,15 @@ ValueRange common_range(const std::vector<TilePicture>& tiles, const Output& out
     return range.empty() ? ValueRange{0.0, 1.0} : range;  // no tile has a number
 }
 
+// One, or three of `rgb`.
+std::vector<std::span<const double>> columns_of(const TilePicture& tile) {
+    const std::span<const double> all(tile.values);
+    const std::size_t cells = tile.columns * tile.rows;
+    std::vector<std::span<const double>> columns;
+    for (std::size_t at = 0; at < all.size(); at += cells) columns.push_back(all.subspan(at, cells));
+    return columns;
+}
+
 void paste(const Picture& tile, std::size_t left, std::size_t top, std::size_t rows, Picture& picture) {
     const std::size_t lower = top + rows;  // the first line below the tile's place
     for (std::size_t line = 0; line < tile.rows; ++line) {
@@ -57,7 +66,7 @@ Mosaic mosaic(const std::vector<TilePicture>& tiles, const Layout& layout, const
     for (std::size_t i = 0; i < tiles.size(); ++i) {
         const TilePicture& tile = tiles[i];
         if (tile.values.empty()) continue;
-        const Brush brush(output, {std::span<const double>(tile.values)}, made.range);
+        const Brush brush(output, columns_of(tile), made.range);
         const std::size_t row = i / layout.across, line = layout.from_below ? layout.down - 1 - row : row;
         paste(enlarged(render(brush, tile.columns, tile.rows), factor), i % layout.across * (made.tile_columns + gap),
               line * (made.tile_rows + gap), made.tile_rows, made.picture);

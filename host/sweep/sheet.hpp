@@ -24,11 +24,12 @@ inline constexpr std::size_t gap = 4;  // pixels between tiles
 
 struct TilePicture {
     std::size_t columns = 0, rows = 0;
-    std::vector<double> values;  // bottom row first; empty: the tile is not there
+    std::vector<double> values;  // bottom row first, of `rgb` reds, greens and blues; empty: the tile is not there
 };
 
-// All in one range: the output's own, or from the lowest to the highest value. Tiles smaller than `least` pixels are
-// enlarged by a whole factor. A place is as large as the largest tile; a smaller one lies in its lower left corner.
+// All in one range: the output's own, or from the lowest to the highest value; `rgb` knows none. Tiles smaller than
+// `least` pixels are enlarged by a whole factor. A place is as large as the largest tile; a smaller one lies in its
+// lower left corner.
 struct Mosaic {
     Picture picture{0, 0};
     std::size_t tile_columns = 0, tile_rows = 0;  // pixels

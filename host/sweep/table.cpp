@@ -35,7 +35,7 @@ Table::Table(std::filesystem::path path, std::vector<std::string> names)
 std::string Table::heading() const {
     std::vector<std::string> all{"tile"};
     all.insert(all.end(), names_.begin(), names_.end());
-    for (const char* name : {"replicate", "seed", "iterations", "verdict", "settled"}) all.emplace_back(name);
+    for (const char* name : {"replicate", "seed", "iterations", "verdict", "settled", "of"}) all.emplace_back(name);
     const std::vector<std::string> numbers = names_of_numbers();
     all.insert(all.end(), numbers.begin(), numbers.end());
     return fmt::format("{},hash,seconds", fmt::join(all, ","));
@@ -70,6 +70,7 @@ std::string Table::row(std::size_t tile, const Point& point, std::int64_t seed, 
     std::string row =
         beginning(tile, point) + fmt::format("{},{},{},", seed, result.iterations, name_of(result.verdict));
     if (result.settled) row += std::to_string(*result.settled);
+    row += "," + result.of;
     for (const auto& [name, value] : stats::listed(result.statistics.value_or(stats::Statistics{})))
         row += result.statistics ? fmt::format(",{:.6g}", value) : ",";
     return row + fmt::format(",{},{:.3f}", result.hash, seconds);

@@ -11,6 +11,7 @@
 #include <bit>
 #include <cmath>
 #include <set>
+#include <span>
 #include <utility>
 #include <vector>
 
@@ -68,6 +69,7 @@ private:
         std::vector<double> values = shown(experiment_, state_);
         strange_ = !std::ranges::all_of(values, [](double value) { return std::isfinite(value); });
         if (strange_) return;
+        values.resize(state_.cells());  // of `rgb` the reds
         for (const double value : values) largest_ = std::max(largest_, std::fabs(value));
         if (checks_.contains(now) || now == 0) {
             const double changed = before_.size() == values.size() ? stats::change(grid(before_), grid(values)) : 1.0;
@@ -88,7 +90,9 @@ private:
         TileResult result;
         result.iterations = tissue_.iteration();
         result.settled = settled_;
-        result.statistics = stats::statistics_of(grid(shown(experiment_, state_)));
+        std::vector<double> values = shown(experiment_, state_);
+        values.resize(state_.cells());
+        result.statistics = stats::statistics_of(grid(values));
         const bool flat = stats::uniform(*result.statistics) ||
                           result.statistics->maximum - result.statistics->minimum <= 1e-6 * largest_;
         if (course_.states() > 1)
@@ -131,7 +135,16 @@ private:
 std::vector<double> shown(const Experiment& experiment, const Snapshot& state) {
     const std::size_t output = first_of_colours(experiment.outputs);
     const Drawn drawn(experiment, experiment.outputs.at(output), output, state);
-    return {drawn.values().begin(), drawn.values().end()};
+    std::vector<double> values;
+    for (const std::span<const double> column : drawn.columns())
+        values.insert(values.end(), column.begin(), column.end());
+    return values;
+}
+
+std::string measured(const Experiment& experiment) {
+    const Output& output = experiment.outputs.at(first_of_colours(experiment.outputs));
+    if (output.rgb()) return "red";
+    return output.expressions.empty() ? experiment.chemicals[output.chemical].name : "formula";
 }
 
 std::string hash_of(const Snapshot& state) {

@@ -26,11 +26,16 @@ struct TileResult {
     std::optional<std::uint64_t> settled;  // from where on each twentieth of the run changes less than a thousandth
     std::optional<stats::Statistics> statistics;  // none where there are NaNs, in the state or in what is shown
     std::string hash;                             // of all concentrations of the final state: SHA-256, 16 digits
+    std::string of;                               // what the statistics are of: measured() of the experiment
     Snapshot state;                               // the final one
 };
 
-// What the tile shows of a state: what the experiment's first picture of colours draws.
+// What the tile shows of a state: what the experiment's first picture of colours draws, of `rgb` the reds, then the
+// greens and blues.
 std::vector<double> shown(const Experiment&, const Snapshot&);
+
+// What of it is measured: the name of a chemical, "formula" or, of `rgb`, "red".
+std::string measured(const Experiment&);
 
 // The first 16 digits of the SHA-256 of the concentrations as little-endian doubles, chemical after chemical.
 std::string hash_of(const Snapshot&);

@@ -1,14 +1,18 @@
 // `pelage sweep` as a user meets it.
 #include "core/prepattern.hpp"
 #include "csv.hpp"
+#include "io/field.hpp"
 #include "io/npy.hpp"
 #include "language/parse.hpp"
 #include "reference/backend.hpp"
 #include "support/process.hpp"
+#include "sweep/sheet.hpp"
 #include "sweep/tile.hpp"
 
 #include <catch2/catch.hpp>
 
+#include <algorithm>
+#include <filesystem>
 #include <fstream>
 #include <map>
 #include <sstream>
@@ -92,6 +96,52 @@ TEST_CASE("each tile ends in the bits of its single run, on both backends, struc
         CHECK(row.at("hash") == sweep::hash_of(tissue->read()));
     }
     CHECK(std::filesystem::file_size(bench.folder / "out/sheet.png") > 1000);
+}
+
+TEST_CASE(
+    "of an rgb output the sheet shows the pictures as they are, without a bar, and the table names what it measures") {
+    const Folder folder;
+    const auto swept = [&](const std::string& output) {
+        const std::string file =
+            folder.write("a.pex",
+                         "define parameter p 0 from 0 to 1\ndefine chemical U\ndefine chemical V\n"
+                         "use chemical U conc (ROW / 19)\nuse chemical V conc p\ncreate matrix 20 20\nstop at 20\n" +
+                             output + "\n");
+        std::filesystem::remove_all(folder / "out");
+        const Outcome outcome = command(
+            {"sweep", file, "--backend", "reference", "--vary", "p=0.25,0.75", "--quiet", "--out", folder / "out"});
+        INFO(outcome.err);
+        REQUIRE(outcome.exit_code == 0);
+        return rows_of(read_all(folder / "out/sweep.csv"));
+    };
+    // The darkest luminance right of the tiles, where the bar would be.
+    const auto margin = [&] {
+        const auto sheet = read_field(folder / "out/sheet.png", "");
+        double darkest = 1.0;
+        for (std::size_t row = 100; row < 160; ++row) {
+            for (std::size_t column = 300; column < 310; ++column)
+                darkest = std::min(darkest, sheet->values[row * sheet->columns + column]);
+        }
+        return darkest;
+    };
+
+    CHECK(swept("output V").at(1).at("of") == "V");
+    const std::vector<Row> rows = swept("output rgb (U) (V) (0.5)");
+    CHECK(rows.at(0).at("of") == "red");
+    CHECK(rows.at(0).at("maximum") == "1");
+    CHECK(margin() == 1.0);
+    const NpyArray tile = read_npy(folder / "out/tiles/.1.npy");
+    CHECK(tile.shape == std::vector<std::size_t>{3, 20, 20});
+    CHECK(tile.values.at(400) == 0.75);
+    CHECK(swept("output (2 * U)").at(0).at("of") == "formula");
+    CHECK(margin() < 0.9);
+
+    const sweep::TilePicture picture{2, 1, {0, 1, 0.5, 0.5, 1, 0}};
+    Output output;
+    output.expressions.resize(3);
+    const sweep::Mosaic made = sweep::mosaic({picture, {}}, {2, 1, true}, output, 1);
+    CHECK(made.picture.at(0, 0) == Rgb{0, 128, 255});
+    CHECK(made.picture.at(1, 0) == Rgb{255, 128, 0});
 }
 
 TEST_CASE(
