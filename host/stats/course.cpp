@@ -2,6 +2,7 @@
 #include "stats/course.hpp"
 
 #include "core/error.hpp"
+#include "stats/excess.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -28,18 +29,30 @@ std::string_view name_of(Verdict verdict) {
     return "";
 }
 
+void Course::make_room(int excess) {
+    if (excess <= excess_) return;
+    const int less = excess_ - excess;
+    for (double& sum : sum_) sum = std::ldexp(sum, less);
+    for (double& square : squares_) square = std::ldexp(square, 2 * less);
+    largest_ = std::ldexp(largest_, less);
+    largest_span_ = std::ldexp(largest_span_, less);
+    excess_ = excess;
+}
+
 void Course::show(const Grid& grid) {
     check(grid);
     if (states_ > 0 && sum_.size() != grid.values.size()) throw Error("a pattern that is followed keeps its size");
+    make_room(excess_of(grid.values));
     sum_.resize(grid.values.size());
     squares_.resize(grid.values.size());
     for (std::size_t cell = 0; cell < sum_.size(); ++cell) {
-        sum_[cell] += grid.values[cell];
-        squares_[cell] += grid.values[cell] * grid.values[cell];
-        largest_ = std::max(largest_, std::fabs(grid.values[cell]));
+        const double value = std::ldexp(grid.values[cell], -excess_);
+        sum_[cell] += value;
+        squares_[cell] += value * value;
+        largest_ = std::max(largest_, std::fabs(value));
     }
     const auto [low, high] = std::minmax_element(grid.values.begin(), grid.values.end());
-    largest_span_ = std::max(largest_span_, *high - *low);
+    largest_span_ = std::max(largest_span_, std::ldexp(*high, -excess_) - std::ldexp(*low, -excess_));
     ++states_;
 }
 
@@ -54,7 +67,7 @@ Verdict Course::verdict(double scale) const {
         in_space += (middle - mean) * (middle - mean) / cells;
         in_time += std::max(0.0, squares_[cell] / states - middle * middle) / cells;
     }
-    const double small = std::max(1e-3 * largest_, 1e-6 * scale);
+    const double small = std::max(1e-3 * largest_, 1e-6 * std::ldexp(scale, -excess_));
     const bool flat = largest_span_ <= small;
     if (flat && in_time <= small * small) return Verdict::uniform;
     if (flat) return Verdict::oscillating;
@@ -64,12 +77,15 @@ Verdict Course::verdict(double scale) const {
 
 double change(const Grid& before, const Grid& after) {
     if (before.values.size() != after.values.size()) return 1.0;
+    const int excess = std::max(excess_of(before.values), excess_of(after.values));
+    const auto scaled = [&](double value) { return std::ldexp(value, -excess); };
     double sum = 0.0;
     for (std::size_t cell = 0; cell < after.values.size(); ++cell)
-        sum += std::fabs(after.values[cell] - before.values[cell]);
+        sum += std::fabs(scaled(after.values[cell]) - scaled(before.values[cell]));
     if (sum == 0.0) return 0.0;
     const auto [low, high] = std::minmax_element(after.values.begin(), after.values.end());
-    const double scale = std::max(*high - *low, 1e-3 * std::max(std::fabs(*low), std::fabs(*high)));
+    const double lowest = scaled(*low), highest = scaled(*high);
+    const double scale = std::max(highest - lowest, 1e-3 * std::max(std::fabs(lowest), std::fabs(highest)));
     return sum / static_cast<double>(after.values.size()) / scale;
 }
 

@@ -32,6 +32,9 @@ private:
     double largest_ = 0.0;       // of all values, in size
     double largest_span_ = 0.0;  // highest less lowest within one state
     std::size_t states_ = 0;
+    int excess_ = 0;  // all values are kept times 2^-excess_, where no square is infinite
+
+    void make_room(int excess);
 };
 
 // Mean distance of two states, as a share of the span of the second; 0 where both are equal.

@@ -2,23 +2,15 @@
 #include "stats/statistics.hpp"
 
 #include "stats/dimension.hpp"
+#include "stats/excess.hpp"
 
 #include <algorithm>
 #include <cmath>
-#include <span>
 #include <vector>
 
 namespace pelage::stats {
 
 namespace {
-
-// A power of two that brings the values to where their squares are neither infinite nor 0; 0: they are there.
-int excess_of(std::span<const double> values) {
-    double most = 0.0;
-    for (const double value : values) most = std::max(most, std::fabs(value));
-    if (most == 0.0 || (most > 1e-100 && most < 1e100)) return 0;
-    return std::ilogb(most);
-}
 
 Statistics of_scaled(const Grid& grid, int excess) {
     std::vector<double> values(grid.values.begin(), grid.values.end());

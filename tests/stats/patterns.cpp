@@ -147,6 +147,12 @@ TEST_CASE("what patterns do in time") {
     CHECK(verdict([&](double x, double, int t) { return std::sin(k * x) * (2 + std::sin(0.8 * t)); }) ==
           Verdict::oscillating);
     CHECK(verdict([](double, double, int t) { return 1 + 0.5 * std::sin(0.8 * t); }) == Verdict::oscillating);
+    for (const double size : {1e160, 1.7e308}) {
+        CHECK(verdict([&](double x, double, int t) { return size * std::sin(k * x - 0.7 * t); }) == Verdict::moving);
+        CHECK(verdict([&](double x, double, int) { return size * std::sin(k * x); }) == Verdict::stationary);
+        CHECK(verdict([&](double x, double, int t) { return (t < 2 ? 1.0 : size) * std::sin(k * x - 0.7 * t); }) ==
+              Verdict::moving);
+    }
     Course faint;
     for (int t = 0; t < 4; ++t)
         faint.show(Pattern(40, 30, [&](double x, double) { return 1e-30 * std::sin(k * x); }).grid());
@@ -155,6 +161,10 @@ TEST_CASE("what patterns do in time") {
     const Pattern one = stripes(10, 0), other = stripes(10, 0, 128, 96);
     CHECK(change(one.grid(), other.grid()) == 0.0);
     CHECK(change(one.grid(), stripes(11, 0).grid()) > 0.1);
+    const auto large = [&](double shift) {
+        return Pattern(40, 30, [=](double x, double) { return 1.7e308 * std::sin(k * x + shift); });
+    };
+    CHECK(change(large(0).grid(), large(1).grid()) == Approx(0.3).margin(0.1));
 }
 
 TEST_CASE("the dimension of what is known: filled, a line, a sieve, a carpet, nothing") {
