@@ -255,13 +255,58 @@ std::vector<Case> aggregate_cases() {
     return {one, long_one};
 }
 
+// A ball of V in a torus of three dimensions, which soon fills it.
+std::string gray_scott_volume(std::size_t side) {
+    return fmt::format(
+        "define chemical U limit 1\ndefine chemical V limit 1\nuse seed 7\n"
+        "use chemical U conc 0.9 dev 0.1 diff 0.1\nuse chemical V conc 0 diff 0.05\ncreate volume {0} {0} {0} wrap\n"
+        "set cells where (hypot(hypot(X, Y), Z) < {1}) chemical U conc 0.5 chemical V conc (0.25 + 0.05 * RANDOM)\n"
+        "rule always react U V gray-scott f 0.037 k 0.06\n",
+        side, 0.8 * static_cast<double>(side));
+}
+
+// A field's seven points 9, its update 2; all else as in a lattice.
+std::vector<Case> volume_cases() {
+    Case one;
+    one.suite = "volume";
+    one.name = "gray-scott-volume";
+    one.sizes = {64, 128, 256};
+    one.quick_sizes = {8, 12};
+    one.text = gray_scott_volume;
+    one.cells = [](std::size_t side) { return side * side * side; };
+    one.bytes = 16;
+    one.flops = 39;
+    return {one};
+}
+
+// Of each cell's six edges the neighbour's place and the weight are read (48 bytes), and where its list begins (4). An
+// edge takes 3 operations a field.
+std::vector<Case> mesh_cases() {
+    Case one;
+    one.suite = "mesh";
+    one.name = "turing-torus";
+    one.sizes = {71, 224, 708};
+    one.quick_sizes = {6, 10};
+    one.text = [](std::size_t side) {
+        return fmt::format(
+            "define chemical U limit 6\ndefine chemical V\ndefine time_step 0.01\nuse seed 7\n"
+            "use chemical U conc 4 diff 5\nuse chemical V conc 4.5 dev 0.5 diff 1\ncreate torus {1} {0}\n"
+            "rule always react U V turing alpha 16 beta 12\n",
+            side, 2 * side);
+    };
+    one.cells = [](std::size_t side) { return 2 * side * side; };
+    one.bytes = 16 + 48 + 4;
+    one.flops = 2 * 6 * 3 + 13;
+    return {one};
+}
+
 }  // namespace
 
 const std::vector<Case>& all_cases() {
     static const std::vector<Case> cases = [] {
         std::vector<Case> list;
-        for (const auto& part :
-             {lattice_cases(), formula_cases(), cell_cases(), neighbour_cases(), growth_cases(), aggregate_cases()}) {
+        for (const auto& part : {lattice_cases(), formula_cases(), cell_cases(), neighbour_cases(), growth_cases(),
+                                 aggregate_cases(), volume_cases(), mesh_cases()}) {
             list.insert(list.end(), part.begin(), part.end());
         }
         return list;

@@ -21,7 +21,7 @@ struct Kernel {
 struct Case {
     std::string suite;
     std::string name;
-    // A size is the side of a lattice, or a number of free cells, points or charges.
+    // A size is the side of a lattice, a volume or a torus, or a number of free cells, points or charges.
     std::vector<std::size_t> sizes, quick_sizes;
     bool by_default = true;                         // else only when asked for by name
     std::function<std::string(std::size_t)> text;   // in the experiment language; empty: points, no experiment

@@ -72,7 +72,7 @@ private:
         contest_.initial = outcome_of(*initial);
         contest_.cells = initial->cells();
         contest_.updates = static_cast<double>(contest_.cells);
-        const bool lattice = initial->lattice();
+        const bool lattice = initial->on_grid();
         double work = contest_.updates;
         if (case_.particles) {
             contest_.updates = work = static_cast<double>(contest_.whole);
@@ -86,9 +86,11 @@ private:
         add("reference", processor_name(), too_long(work, patience),
             [=] { return reference_task(*experiment, initial); });
         const std::optional<Kernel> kernel = case_.kernel;
-        const bool particles = case_.particles;
+        const bool particles = case_.particles, volume = case_.suite == "volume", mesh = case_.suite == "mesh";
         add("openmp", processor_name(), why_no_openmp(case_), [=] {
             if (particles) return openmp_aggregate(*experiment, *initial);
+            if (volume) return openmp_volume(*experiment, *initial);
+            if (mesh) return openmp_mesh(*experiment, *initial);
             return kernel ? openmp_lattice(*kernel, *experiment, *initial) : openmp_cells(*experiment, *initial);
         });
         for (const DeviceSessions& device : devices_) {
@@ -96,7 +98,7 @@ private:
             const auto on = [&](const std::shared_ptr<const Session>& session) {
                 return [=] { return opencl_task(session, *experiment, initial); };
             };
-            const std::string same = lattice ? "" : "free cells have one kernel";
+            const std::string same = lattice ? "" : mesh ? "meshes have one kernel" : "free cells have one kernel";
             if (lattice || named("opencl-plain")) add("opencl-plain", name, same, on(device.plain));
             if (lattice || named("opencl-step")) add("opencl-step", name, same, on(device.step));
             add("opencl", name, "", on(device.standard));

@@ -3,12 +3,14 @@
 
 #include "bench/aligned.hpp"
 #include "bench/openmp_rows.hpp"
+#include "bench/plane.hpp"
 #include "core/error.hpp"
 #include "core/subnormal.hpp"
 
 #include <algorithm>
 #include <array>
 #include <span>
+#include <string_view>
 #include <utility>
 #include <variant>
 
@@ -22,7 +24,8 @@ std::string why_no_openmp(const Case& one) {
 #ifndef _OPENMP
     return one.name + ": this program was built without OpenMP";
 #else
-    if (one.kernel || one.suite == "cells" || one.suite == "neighbours" || one.suite == "aggregate") return {};
+    constexpr std::array<std::string_view, 5> others{"cells", "neighbours", "aggregate", "volume", "mesh"};
+    if (one.kernel || std::ranges::find(others, one.suite) != others.end()) return {};
     return "there is no hand-written baseline for this case";
 #endif
 }
@@ -35,24 +38,17 @@ int openmp_threads() {
 #endif
 }
 
+std::pair<std::size_t, std::size_t> own_share(std::size_t count) {
+#ifdef _OPENMP
+    const auto thread = static_cast<std::size_t>(omp_get_thread_num());
+    const auto threads = static_cast<std::size_t>(omp_get_num_threads());
+#else
+    const std::size_t thread = 0, threads = 1;
+#endif
+    return {count * thread / threads, count * (thread + 1) / threads};
+}
+
 namespace {
-
-// The rows of one field, each with an element more at either end.
-class Plane {
-public:
-    Plane(std::size_t columns, std::size_t rows)
-        : pitch_(((columns + 2 * margin + 31) / 32 | 1) * 32),  // an odd multiple of 128 bytes: no 4K aliasing
-          values_(pitch_ * rows, 0.0f) {}
-
-    float* row(std::size_t row) { return values_.data() + row * pitch_ + margin; }
-    const float* row(std::size_t row) const { return values_.data() + row * pitch_ + margin; }
-    std::size_t bytes() const { return values_.size() * sizeof(float); }
-
-private:
-    static constexpr std::size_t margin = 16;
-    std::size_t pitch_;
-    Aligned<float> values_;
-};
 
 struct FieldState {
     Plane now, next;
@@ -96,7 +92,7 @@ public:
 #pragma omp parallel
         {
             const SubnormalsAreZero scope;
-            const auto [begin, end] = strip();
+            const auto [begin, end] = own_share(rows_);
             Scratch scratch(columns_);
             for (std::uint64_t i = 0; i < iterations; ++i) {
                 if (i % 2 == 0) {
@@ -134,16 +130,6 @@ private:
         std::size_t pitch;
         Aligned<float> values;
     };
-
-    std::pair<std::size_t, std::size_t> strip() const {
-#ifdef _OPENMP
-        const auto thread = static_cast<std::size_t>(omp_get_thread_num());
-        const auto threads = static_cast<std::size_t>(omp_get_num_threads());
-#else
-        const std::size_t thread = 0, threads = 1;
-#endif
-        return {rows_ * thread / threads, rows_ * (thread + 1) / threads};
-    }
 
     std::size_t below(std::size_t row) const { return row > 0 ? row - 1 : kernel_.wrap ? rows_ - 1 : 0; }
     std::size_t above(std::size_t row) const { return row + 1 < rows_ ? row + 1 : kernel_.wrap ? 0 : row; }

@@ -58,6 +58,67 @@ PELAGE_ROW(turing_row, p0 - u * v, (u * v - v) - p1)
 PELAGE_ROW(gray_scott_row, __builtin_fmaf(p0, 1.0f - u, -((u * v) * v)), __builtin_fmaf(-(p0 + p1), v, (u * v) * v))
 #undef PELAGE_ROW
 
+#define PELAGE_SEVEN(f)                                                                                     \
+    (__builtin_fmaf(-4.0f, f##_own[i], (f##_below[i] + f##_above[i]) + (f##_own[i - 1] + f##_own[i + 1])) + \
+     __builtin_fmaf(-2.0f, f##_own[i], f##_before[i] + f##_behind[i]))
+
+PELAGE_LEVELS
+void gray_scott_volume_row(const VolumeRow &a, const VolumeRow &b, const ReactionNumbers &numbers,
+                           std::ptrdiff_t columns) {
+    const float *__restrict u_own = a.own, *__restrict u_below = a.below, *__restrict u_above = a.above,
+                            *__restrict u_before = a.before, *__restrict u_behind = a.behind;
+    const float *__restrict v_own = b.own, *__restrict v_below = b.below, *__restrict v_above = b.above,
+                            *__restrict v_before = b.before, *__restrict v_behind = b.behind;
+    float *__restrict u_next = a.next, *__restrict v_next = b.next;
+    const float u_share = a.share, u_floor = a.floor, u_limit = a.limit;
+    const float v_share = b.share, v_floor = b.floor, v_limit = b.limit;
+    const float sdt = numbers.sdt, f = numbers.p[0], loss = -(numbers.p[0] + numbers.p[1]);
+#pragma omp simd
+    for (std::ptrdiff_t i = 0; i < columns; ++i) {
+        const float u = u_own[i], v = v_own[i], uvv = (u * v) * v;
+        float nu = __builtin_fmaf(sdt, __builtin_fmaf(f, 1.0f - u, -uvv), u);
+        float nv = __builtin_fmaf(sdt, __builtin_fmaf(loss, v, uvv), v);
+        nu = __builtin_fmaf(u_share, PELAGE_SEVEN(u), nu);
+        nv = __builtin_fmaf(v_share, PELAGE_SEVEN(v), nv);
+        nu = nu < u_floor ? u_floor : nu;
+        nu = nu > u_limit ? u_limit : nu;
+        nv = nv < v_floor ? v_floor : nv;
+        nv = nv > v_limit ? v_limit : nv;
+        u_next[i] = nu;
+        v_next[i] = nv;
+    }
+}
+#undef PELAGE_SEVEN
+
+PELAGE_LEVELS
+void turing_mesh_block(const MeshBlock &block, const ReactionNumbers &numbers, std::size_t first) {
+    const float *__restrict u = block.u, *__restrict v = block.v;
+    const MeshBlock b = block;
+    const float sdt = numbers.sdt, alpha = numbers.p[0], beta = numbers.p[1];
+    alignas(64) float nu[16], nv[16];
+#pragma omp simd
+    for (std::size_t l = 0; l < 16; ++l) {
+        const float mu = u[first + l], mv = v[first + l];
+        nu[l] = __builtin_fmaf(sdt, alpha - mu * mv, mu);
+        nv[l] = __builtin_fmaf(sdt, (mu * mv - mv) - beta, mv);
+    }
+    for (std::int32_t k = 0; k < b.length; ++k) {
+        const std::int32_t *__restrict indices = b.indices + 16 * k;
+        const float *__restrict share_u = b.weights_u + 16 * k, *__restrict share_v = b.weights_v + 16 * k;
+#pragma omp simd
+        for (std::size_t l = 0; l < 16; ++l) {
+            nu[l] = __builtin_fmaf(share_u[l], u[indices[l]] - u[first + l], nu[l]);
+            nv[l] = __builtin_fmaf(share_v[l], v[indices[l]] - v[first + l], nv[l]);
+        }
+    }
+#pragma omp simd
+    for (std::size_t l = 0; l < 16; ++l) {
+        const float cu = nu[l] < b.floor_u ? b.floor_u : nu[l], cv = nv[l] < b.floor_v ? b.floor_v : nv[l];
+        b.next_u[first + l] = cu > b.limit_u ? b.limit_u : cu;
+        b.next_v[first + l] = cv > b.limit_v ? b.limit_v : cv;
+    }
+}
+
 PELAGE_LEVELS
 void cell_block(const CellArrays &arrays, const CellNumbers &numbers, std::size_t first) {
     const float *__restrict x = arrays.x, *__restrict y = arrays.y, *__restrict u = arrays.u, *__restrict v = arrays.v,

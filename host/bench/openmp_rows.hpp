@@ -30,6 +30,36 @@ void sum_row(const float* row, float* sums, std::ptrdiff_t columns);
 void turing_row(const FieldRow& u, const FieldRow& v, const ReactionNumbers&, std::ptrdiff_t columns);
 void gray_scott_row(const FieldRow& u, const FieldRow& v, const ReactionNumbers&, std::ptrdiff_t columns);
 
+// One chemical's rows in a volume: the own one, those below, above, before and behind it, read from element -1 to
+// `columns` where sides are wanted.
+struct VolumeRow {
+    const float* own = nullptr;
+    const float* below = nullptr;
+    const float* above = nullptr;
+    const float* before = nullptr;
+    const float* behind = nullptr;
+    float* next = nullptr;
+    float share = 0;  // rate * dt
+    float floor = 0;
+    float limit = 0;
+};
+
+void gray_scott_volume_row(const VolumeRow& u, const VolumeRow& v, const ReactionNumbers&, std::ptrdiff_t columns);
+
+// Cells of a mesh, 16 side by side: entry k of lane l at [16 * k + l]; short lists end in the cell itself with weight
+// 0.
+struct MeshBlock {
+    const float *u = nullptr, *v = nullptr;  // of all cells
+    const std::int32_t* indices = nullptr;
+    const float *weights_u = nullptr, *weights_v = nullptr;  // (rate * dt) * share
+    std::int32_t length = 0;
+    float *next_u = nullptr, *next_v = nullptr;
+    float floor_u = 0, limit_u = 0, floor_v = 0, limit_v = 0;
+};
+
+// One iteration of the 16 cells from place `first` on.
+void turing_mesh_block(const MeshBlock&, const ReactionNumbers&, std::size_t first);
+
 // Free cells, 16 side by side. All arrays are in places of bins; a place behind the last is infinitely far.
 struct CellArrays {
     const float *x = nullptr, *y = nullptr, *u = nullptr, *v = nullptr, *du = nullptr, *dv = nullptr;

@@ -32,8 +32,8 @@ void check_words(const char* option, const std::vector<std::string>& given, cons
 }  // namespace
 
 const std::vector<std::string>& suites() {
-    static const std::vector<std::string> words{"lattice", "formula",   "cells", "neighbours",
-                                                "growth",  "aggregate", "all"};
+    static const std::vector<std::string> words{"lattice",   "formula", "cells", "neighbours", "growth",
+                                                "aggregate", "volume",  "mesh",  "all"};
     return words;
 }
 

@@ -77,6 +77,27 @@ TEST_CASE("a small spot in an empty field keeps no subnormal numbers, on the bas
     CHECK((spot > 50 && spot < 500));
 }
 
+TEST_CASE("the OpenMP volume and mesh have the reference's bits at any size") {
+    const std::string numbers =
+        "define chemical U limit 4.6\ndefine chemical V floor 0.1\ndefine time_step 0.02\nuse seed 5\n"
+        "use chemical U conc 4 dev 0.75 diff 1.5\nuse chemical V conc 0.5 dev 0.5 diff 1\n";
+    const auto check = [&](const std::string& rest, const auto& make) {
+        INFO(rest);
+        const Experiment experiment = parse_experiment(numbers + rest, "test", ".");
+        const auto initial = std::make_shared<const Snapshot>(initial_state(experiment));
+        const auto reference = bench::reference_task(experiment, initial);
+        const auto baseline = make(experiment, *initial);
+        CHECK(compared(*reference, *baseline, 24, bench::outcome_of(*initial)) == "");
+    };
+    for (const char* size : {"1 1 1", "1 5 2", "7 1 3", "17 6 5", "33 3 4"}) {
+        check(fmt::format("create volume {} wrap\nrule always react U V scale 0.75 gray-scott f 0.37 k 0.6\n", size),
+              bench::openmp_volume);
+    }
+    for (const char* shape : {"icosphere 0", "icosphere 2", "torus 7 5", "torus 16 8 weights cotangent"})
+        check(fmt::format("create {}\nrule always react U V scale 0.75 turing alpha 16 beta 12\n", shape),
+              bench::openmp_mesh);
+}
+
 TEST_CASE("the OpenMP cell step has the reference's bits while cells move and lists are renewed") {
     const auto& cases = bench::all_cases();
     const auto one = std::ranges::find_if(cases, [](const bench::Case& c) { return c.name == "tissue"; });
