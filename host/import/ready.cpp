@@ -64,7 +64,7 @@ void read_size(const XmlDocument& document, Draft& draft) {
     const XmlElement& image = image_of(document);
     const auto size = size_of(document, image, "WholeExtent");
     if (size[2] > 1) {
-        throw Error(fmt::format("{}: the image has three dimensions, {} x {} x {}; lattices here have two",
+        throw Error(fmt::format("{}: the image has three dimensions, {} x {} x {}; patterns of two are carried over",
                                 document.at(image), size[0], size[1], size[2]));
     }
     if (size[0] > most_cells / size[1])
