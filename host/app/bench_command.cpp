@@ -121,7 +121,7 @@ void add_bench(CLI::App& app, int& exit_code) {
     };
     command
         ->add_option("--suite", options->what.suite,
-                     "lattice, formula, cells, neighbours, growth, aggregate, volume, mesh or all (default all)")
+                     "lattice, formula, cells, neighbours, growth, aggregate, volume, mesh, neural or all (default all)")
         ->type_name("lattice|cells|neighbours|growth|all");
     command->add_option("--device", options->what.device, "Index or name of an OpenCL device, or all")
         ->type_name("DEVICE");

@@ -4,12 +4,15 @@
 #include "bench/cases.hpp"
 
 #include "bench/formula_cases.hpp"
+#include "core/neural.hpp"
 #include "language/parse.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
+#include <memory>
+#include <random>
 
 namespace pelage::bench {
 
@@ -300,13 +303,56 @@ std::vector<Case> mesh_cases() {
     return {one};
 }
 
+constexpr std::size_t network_chemicals = 32, network_hidden = 128;
+
+std::string still_chemicals(std::size_t side) {
+    std::string text = "define time_step 0.25\nuse seed 7\n";
+    for (std::size_t i = 0; i < network_chemicals; ++i)
+        text += fmt::format("define chemical c{0} floor none\nuse chemical c{0} conc (RANDOM - 0.5)\n", i);
+    return text + fmt::format("create matrix {0} {0} wrap\n", side);
+}
+
+// Weights without a pattern, so small that nothing grows without bound.
+void add_network(Experiment& experiment) {
+    std::mt19937 numbers(7);
+    const auto drawn = [&](std::size_t count, double size) {
+        std::vector<double> values(count);
+        for (double& value : values) value = size * (static_cast<double>(numbers()) * 0x1p-31 - 1);
+        return values;
+    };
+    const std::size_t count = network_chemicals * network_hidden;
+    const auto first = drawn(count, 0.75), bias = drawn(network_hidden, 1), second = drawn(count, 0.125);
+    Neural neural;
+    neural.network = std::make_shared<const Network>(
+        make_network(network_chemicals, network_hidden, first, bias, second, "network"));
+    for (std::size_t i = 0; i < network_chemicals; ++i) neural.species.push_back(i);
+    Rule rule;
+    rule.action = neural;
+    experiment.rules.push_back(rule);
+}
+
+// As large as those that were published. Flops are those of its two products of matrix and vector alone.
+std::vector<Case> neural_cases() {
+    Case one;
+    one.suite = "neural";
+    one.name = "network";
+    one.sizes = {128, 256};
+    one.quick_sizes = {8, 12};
+    one.text = still_chemicals;
+    one.finish = add_network;
+    one.cells = square;
+    one.bytes = 8.0 * network_chemicals;
+    one.flops = 4.0 * network_chemicals * network_hidden;
+    return {one};
+}
+
 }  // namespace
 
 const std::vector<Case>& all_cases() {
     static const std::vector<Case> cases = [] {
         std::vector<Case> list;
         for (const auto& part : {lattice_cases(), formula_cases(), cell_cases(), neighbour_cases(), growth_cases(),
-                                 aggregate_cases(), volume_cases(), mesh_cases()}) {
+                                 aggregate_cases(), volume_cases(), mesh_cases(), neural_cases()}) {
             list.insert(list.end(), part.begin(), part.end());
         }
         return list;
@@ -326,7 +372,9 @@ std::vector<Case> chosen_cases(const Options& options) {
 }
 
 Experiment experiment_of(const Case& one, std::size_t size) {
-    return parse_experiment(one.text(size), fmt::format("bench case {} {}", one.name, size), ".");
+    Experiment experiment = parse_experiment(one.text(size), fmt::format("bench case {} {}", one.name, size), ".");
+    if (one.finish) one.finish(experiment);
+    return experiment;
 }
 
 Experiment twin_of(const Case& one, std::size_t size) {

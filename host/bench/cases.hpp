@@ -25,6 +25,7 @@ struct Case {
     std::vector<std::size_t> sizes, quick_sizes;
     bool by_default = true;                         // else only when asked for by name
     std::function<std::string(std::size_t)> text;   // in the experiment language; empty: points, no experiment
+    std::function<void(Experiment&)> finish;        // what no text can say; or empty
     std::function<std::size_t(std::size_t)> cells;  // at that size, to begin with
     std::function<std::string(std::size_t)> twin;   // other contents, the same work: its time is a yardstick; or empty
     std::optional<Kernel> kernel;                   // lattices only

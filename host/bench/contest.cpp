@@ -73,7 +73,8 @@ private:
         contest_.cells = initial->cells();
         contest_.updates = static_cast<double>(contest_.cells);
         const bool lattice = initial->on_grid();
-        double work = contest_.updates;
+        constexpr double usual_flops = 300;
+        double work = contest_.updates * std::max(1.0, case_.flops / usual_flops);
         if (case_.particles) {
             contest_.updates = work = static_cast<double>(contest_.whole);
         } else if (contest_.whole != 0) {

@@ -33,7 +33,7 @@ void check_words(const char* option, const std::vector<std::string>& given, cons
 
 const std::vector<std::string>& suites() {
     static const std::vector<std::string> words{"lattice",   "formula", "cells", "neighbours", "growth",
-                                                "aggregate", "volume",  "mesh",  "all"};
+                                                "aggregate", "volume",  "mesh",  "neural",     "all"};
     return words;
 }
 
