@@ -28,10 +28,10 @@ nlohmann::json Verification::result(const std::string& check) const {
     return {};
 }
 
-std::vector<std::string> Verification::skipped() const {
+std::vector<std::string> Verification::of(const std::string& verdict) const {
     std::vector<std::string> names;
     for (const auto& one : report["cases"]) {
-        if (one["verdict"] == "skipped") names.push_back(one["name"]);
+        if (one["verdict"] == verdict) names.push_back(one["name"]);
     }
     return names;
 }

@@ -16,8 +16,9 @@ struct Verification {
 
     // What anybody wants to know when it is not as expected.
     std::string told() const { return process.out + process.err; }
-    nlohmann::json result(const std::string& check) const;  // null: not among them
-    std::vector<std::string> skipped() const;               // names of checks
+    nlohmann::json result(const std::string& check) const;          // null: not among them
+    std::vector<std::string> of(const std::string& verdict) const;  // names of checks
+    std::vector<std::string> skipped() const { return of("skipped"); }
 };
 
 // pelage verify WORDS..., for each filter (all checks without one), with --json.
