@@ -170,7 +170,8 @@ TEST_CASE("bench refuses what it does not know") {
     };
 
     refused({"--suite", "cell"},
-            "--suite 'cell' is unknown; there are: lattice, formula, cells, neighbours, growth, aggregate, volume, mesh, neural, all");
+            "--suite 'cell' is unknown; there are: lattice, formula, cells, neighbours, growth, aggregate, volume, "
+            "mesh, neural, all");
     refused({"--against", "openmp,cuda"}, "--against 'cuda' is unknown");
     refused({"--cases", "leopard"}, "--cases 'leopard' is unknown");
     refused({"--suite", "cells", "--cases", "turing"}, "--cases names none of suite 'cells'");
