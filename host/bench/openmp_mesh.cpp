@@ -19,19 +19,19 @@ namespace pelage::bench {
 
 namespace {
 
-constexpr std::size_t lanes = 16;
+constexpr std::size_t mesh_lanes = 16;
 
 class OpenmpMesh final : public Task {
 public:
     OpenmpMesh(const Experiment& experiment, const Snapshot& initial)
         : surface_(std::get<MeshCells>(space_of(experiment)).surface),
-          blocks_((surface_->cells() + lanes - 1) / lanes) {
+          blocks_((surface_->cells() + mesh_lanes - 1) / mesh_lanes) {
         const Phase& phase = experiment.phases.front();
         const SubnormalsAreZero scope;
         const auto dt = in_precision<float>(phase.time_step);
         for (std::size_t i = 0; i < 2; ++i) {
-            now_[i].resize(blocks_ * lanes);
-            next_[i].resize(blocks_ * lanes);
+            now_[i].resize(blocks_ * mesh_lanes);
+            next_[i].resize(blocks_ * mesh_lanes);
             floor_[i] = in_precision<float>(phase.bounds[i].floor);
             limit_[i] = in_precision<float>(phase.bounds[i].limit);
             start_[i].resize(initial.conc[i].size());
@@ -96,9 +96,10 @@ private:
             place_of[surface_->order[place]] = static_cast<std::int32_t>(place);
         for (std::size_t block = 0; block < blocks_; ++block) {
             std::size_t longest = 0;
-            for (std::size_t lane = 0; lane < lanes; ++lane) longest = std::max(longest, count(block * lanes + lane));
+            for (std::size_t lane = 0; lane < mesh_lanes; ++lane)
+                longest = std::max(longest, count(block * mesh_lanes + lane));
             for (std::size_t k = 0; k < longest; ++k) {
-                for (std::size_t place = block * lanes; place < (block + 1) * lanes; ++place) {
+                for (std::size_t place = block * mesh_lanes; place < (block + 1) * mesh_lanes; ++place) {
                     const bool there = k < count(place);
                     const std::size_t entry = there ? adjacency.offsets[surface_->order[place]] + k : 0;
                     indices_.push_back(there ? place_of[adjacency.indices[entry]] : static_cast<std::int32_t>(place));
@@ -120,10 +121,10 @@ private:
             part.u = from[0].data(), part.v = from[1].data();
             part.indices = indices_.data() + first;
             part.weights_u = weights_[0].data() + first, part.weights_v = weights_[1].data() + first;
-            part.length = static_cast<std::int32_t>((begins_[block + 1] - first) / lanes);
+            part.length = static_cast<std::int32_t>((begins_[block + 1] - first) / mesh_lanes);
             part.next_u = to[0].data(), part.next_v = to[1].data();
             part.floor_u = floor_[0], part.limit_u = limit_[0], part.floor_v = floor_[1], part.limit_v = limit_[1];
-            turing_mesh_block(part, numbers_, block * lanes);
+            turing_mesh_block(part, numbers_, block * mesh_lanes);
         }
     }
 

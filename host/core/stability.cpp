@@ -76,7 +76,7 @@ double stiffness(const Space& space) {
 }
 
 // What networks add to a chemical's rate.
-struct Share {
+struct NetworkShare {
     double rate = 0.0;
     std::size_t line = 0;  // of the rule that adds most
 };
@@ -93,10 +93,10 @@ double share_of(const Rule& rule, std::uint64_t begin, std::uint64_t end, std::s
 }
 
 // Networks of every iteration add up; of those that pause, which may take turns, the fastest counts.
-Share share_of_networks(const Experiment& experiment, std::size_t phase, std::size_t chemical) {
+NetworkShare share_of_networks(const Experiment& experiment, std::size_t phase, std::size_t chemical) {
     const std::uint64_t begin = experiment.phases[phase].begin;
     const std::uint64_t end = phase + 1 < experiment.phases.size() ? experiment.phases[phase + 1].begin : forever;
-    Share all;
+    NetworkShare all;
     double most = 0.0, pausing = 0.0;
     for (const Rule& rule : experiment.rules) {
         const double share = share_of(rule, begin, end, chemical);
@@ -128,7 +128,7 @@ std::optional<Instability> find_instability(const Experiment& experiment, const 
         for (std::size_t chemical = 0; chemical < largest.size(); ++chemical) {
             if (phase.rates[chemical]) largest[chemical] = *phase.rates[chemical];
             const double rate = largest[chemical];
-            const Share network = share_of_networks(experiment, nth, chemical);
+            const NetworkShare network = share_of_networks(experiment, nth, chemical);
             const double all = rate + network.rate;
             // A hair of slack: an experiment may sit exactly on the limit.
             if (all > 0.0 && all * stiff * phase.time_step > 2.0 * (1 + 1e-6)) {
