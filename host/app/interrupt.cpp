@@ -16,6 +16,7 @@ constexpr std::array<int, 4> signals{SIGINT, SIGTERM, SIGHUP, SIGXCPU};
 
 volatile std::sig_atomic_t mark = 0;
 std::array<struct sigaction, signals.size()> before;
+volatile std::sig_atomic_t waiting = 0;  // whether the alarm is ours
 struct sigaction before_alarm;
 
 constexpr unsigned patience = 3;  // seconds
@@ -28,10 +29,21 @@ extern "C" void tell_of_second(int) {
     errno = error;
 }
 
+// Until a first Ctrl-C the alarm is whoever's it was: it ends the process where nobody else wants it.
+void wait_for_alarm() {
+    struct sigaction action {};
+    action.sa_handler = tell_of_second;
+    action.sa_flags = SA_RESTART;
+    sigemptyset(&action.sa_mask);
+    if (sigaction(SIGALRM, &action, &before_alarm) != 0) return;
+    waiting = 1;
+    alarm(patience);
+}
+
 extern "C" void set_mark(int signal) {
     mark = 1;
     if (signal == SIGXCPU) return;  // it comes again every second
-    if (signal == SIGINT) alarm(patience);
+    if (signal == SIGINT) wait_for_alarm();
     for (std::size_t i = 0; i < signals.size(); ++i) {
         if (signals[i] == signal) sigaction(signal, &before[i], nullptr);
     }
@@ -50,16 +62,14 @@ Interrupt::Interrupt() {
         sigemptyset(&action.sa_mask);
         sigaction(signals[i], &action, nullptr);
     }
-    struct sigaction action {};
-    action.sa_handler = tell_of_second;
-    action.sa_flags = SA_RESTART;
-    sigemptyset(&action.sa_mask);
-    sigaction(SIGALRM, &action, &before_alarm);
 }
 
 Interrupt::~Interrupt() {
-    alarm(0);
-    sigaction(SIGALRM, &before_alarm, nullptr);
+    if (waiting != 0) {
+        alarm(0);
+        sigaction(SIGALRM, &before_alarm, nullptr);
+        waiting = 0;
+    }
     for (std::size_t i = 0; i < signals.size(); ++i) sigaction(signals[i], &before[i], nullptr);
 }
 
