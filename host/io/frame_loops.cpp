@@ -1,5 +1,5 @@
-// See frame_loops.hpp. Compiled once a level of x86-64, chosen when the program starts, and without traps, which the
-// loops need to become vectors; neither changes a value.
+// See frame_loops.hpp. Compiled once for each level of x86-64, one of which is chosen when the program starts; that
+// changes no value.
 #include "io/frame_loops.hpp"
 
 #include <limits>
