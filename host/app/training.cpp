@@ -45,6 +45,7 @@ constexpr std::size_t recent_steps = 100;  // whose mean loss is told
 fs::path model_file(const LearnOptions& options) {
     const fs::path file = options.out.empty() ? options.picture.filename().replace_extension(".npz") : options.out;
     if (file.extension() != ".npz") throw Error(fmt::format("'{}': the model's file must end in .npz", file.string()));
+    if (fs::is_directory(file)) throw Error(fmt::format("'{}' is a folder; name a file for the model", file.string()));
     return file;
 }
 
@@ -207,8 +208,9 @@ private:
         const bool stopped = course_->steps() < settings_.steps;
         if (!options_.quiet) {
             const double loss = learn::recent_loss(course_->records(), recent_steps);
-            say(stderr, "step {}: loss {:.4g}, {:.3g} times less than of seed states\n", grouped(course_->steps()),
-                loss, static_cast<double>(course_->seed_loss()) / loss);
+            const double less = static_cast<double>(course_->seed_loss()) / loss;
+            say(stderr, "step {}: loss {:.4g}, {:.3g} times {} than of seed states\n", grouped(course_->steps()), loss,
+                less < 1 ? 1 / less : less, less < 1 ? "more" : "less");
             if (stopped)
                 say(stderr, "stopped; the same command with --resume goes on from '{}'\n", checkpoint().string());
             say("{}\n", model_.string());

@@ -106,6 +106,8 @@ TEST_CASE("what a training cannot be is told in a sentence, and leaves nothing")
     CHECK_THAT(command({"learn", preview, "--out", folder / "a.npz"}).err,
                Catch::Contains(preview + " is the picture that is learned"));
     CHECK_THAT(command({"learn", picture, "--out", "model.txt"}).err, Catch::Contains("must end in .npz"));
+    std::filesystem::create_directory(folder / "folder.npz");
+    CHECK_THAT(command({"learn", picture, "--out", folder / "folder.npz"}).err, Catch::Contains("is a folder"));
     CHECK_THAT(command({"learn", picture, "--out", "/proc/none/a.npz"}).err, Catch::Contains("/proc/none"));
     CHECK_THAT(command({"learn", (folder / "none.png").string()}).err, Catch::Contains("none.png"));
 }
