@@ -120,8 +120,9 @@ void add_bench(CLI::App& app, int& exit_code) {
         return command->add_option(name, value, text)->delimiter(',')->type_name(type)->transform(trimmed());
     };
     command
-        ->add_option("--suite", options->what.suite,
-                     "lattice, formula, cells, neighbours, growth, aggregate, volume, mesh, neural or all (default all)")
+        ->add_option(
+            "--suite", options->what.suite,
+            "lattice, formula, cells, neighbours, growth, aggregate, volume, mesh, neural or all (default all)")
         ->type_name("lattice|cells|neighbours|growth|all");
     command->add_option("--device", options->what.device, "Index or name of an OpenCL device, or all")
         ->type_name("DEVICE");

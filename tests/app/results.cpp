@@ -298,10 +298,10 @@ TEST_CASE("a run with a network is resumed with that network alone") {
     const Folder folder;
     const std::string network = read_all(PELAGE_SOURCE "/experiments/neural/tiny.npz");
     folder.write("net.npz", network);
-    const std::string file =
-        folder.write("net.pex",
-                     "define chemicals x 8 floor none\nuse chemical x0 conc 0 dev 0.25\n"
-                     "define time_step 0.25\ncreate matrix 9 7 wrap\nrule always react all neural \"net.npz\"\nstop at 20\n");
+    const std::string file = folder.write(
+        "net.pex",
+        "define chemicals x 8 floor none\nuse chemical x0 conc 0 dev 0.25\n"
+        "define time_step 0.25\ncreate matrix 9 7 wrap\nrule always react all neural \"net.npz\"\nstop at 20\n");
     const std::vector<std::string> words{"--format", "npy", "--checkpoint-every", "8"};
     REQUIRE(run_reference(file, folder / "out", words).exit_code == 0);
     const nlohmann::json inputs{{{"file", "net.npz"}, {"sha256", pelage::sha256(network)}}};

@@ -60,9 +60,8 @@ TEST_CASE("a model with a wrong sign is named") {
 }
 
 TEST_CASE("a quantity that is another is named") {
-    const Outcome outcome =
-        with_fault("lattice/step.cl", "#define WHOLE_ROW ((uint)row)", "#define WHOLE_ROW ((uint)x)",
-                   check_with(Realm::lattice, "amount", "ROW"));
+    const Outcome outcome = with_fault("lattice/step.cl", "#define WHOLE_ROW ((uint)row)",
+                                       "#define WHOLE_ROW ((uint)x)", check_with(Realm::lattice, "amount", "ROW"));
     INFO(outcome.out << outcome.err);
     CHECK(outcome.exit_code == 1);
     CHECK_THAT(outcome.out, Contains("this is enough to make it differ:\n") && Contains(" ROW"));

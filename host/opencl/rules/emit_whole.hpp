@@ -22,8 +22,8 @@ struct WholeRange {
 };
 WholeRange whole_range(Comparison, double number);
 
-// That truth as a mask; `whole` is the text of a uintv, or of a uint where it is uniform. The range's ends are parameters
-// of the program.
+// That truth as a mask; `whole` is the text of a uintv, or of a uint where it is uniform. The range's ends are
+// parameters of the program.
 std::string emit_whole_test(const std::string& whole, bool uniform, Comparison, double number, Numbers&);
 
 // The comparison that holds with its sides exchanged: a < b is b > a.
