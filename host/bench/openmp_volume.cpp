@@ -3,6 +3,7 @@
 
 #include "bench/openmp_rows.hpp"
 #include "bench/plane.hpp"
+#include "bench/reaction_numbers.hpp"
 #include "core/space.hpp"
 #include "core/subnormal.hpp"
 
@@ -36,9 +37,7 @@ public:
             start_[i].resize(initial.conc[i].size());
             std::ranges::transform(initial.conc[i], start_[i].begin(), in_precision<float>);
         }
-        const React& react = std::get<React>(experiment.rules.front().action);
-        numbers_.sdt = in_precision<float>(react.scale.value) * dt;
-        for (std::size_t i = 0; i < 2; ++i) numbers_.p[i] = in_precision<float>(react.parameters[i].value);
+        numbers_ = reaction_numbers(experiment);
         restart();
     }
 
