@@ -63,8 +63,7 @@ OpenclOptions keeping() {
 }
 
 CacheKey key_of(const Session& session, const char* source) {
-    const DeviceInfo& info = session.info();
-    return {source, session.build_options(), info.name, info.version, info.driver, info.platform_version};
+    return program_key(session, source, session.build_options());
 }
 
 // Builds and runs a program through the cache; true when it computed what it should.

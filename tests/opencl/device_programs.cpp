@@ -3,12 +3,14 @@
 #include "opencl/device/cl_error.hpp"
 #include "opencl/device/program.hpp"
 #include "opencl/device/session.hpp"
+#include "support/variable.hpp"
 
 #include <catch2/catch.hpp>
 
 #include <chrono>
 #include <filesystem>
 #include <fstream>
+#include <iostream>
 #include <iterator>
 #include <string>
 
@@ -85,6 +87,27 @@ TEST_CASE("device and host draw the same numbers") {
     }
 
     REQUIRE(philox(on, inputs, "#define FIRST(v) (v)") == expected);
+}
+
+TEST_CASE("on PoCL a program needs clang's header only for what ours do not call") {
+    const Session on = session();
+    if (on.info().platform != "Portable Computing Language") {
+        std::cout << "SKIPPED: the device is not PoCL's\n";
+        return;
+    }
+    const std::string foreign = "kernel void f(global float* a) { a[0] = tanh(a[1]); }\n";
+    const std::string wrong = "kernel void f(global float* a) {\n    a[0] = not_a_function(a[1]);\n}\n";
+    {
+        const test::Variable never("PELAGE_POCL_HEADER", "never");
+        REQUIRE_THAT(build_failure(on, foreign), Contains("tanh"));
+        REQUIRE_THAT(build_failure(on, wrong), Contains("2:"));  // the line that it has in its own source
+        REQUIRE(build_failure(on, "kernel void f(global float* a) { a[0] = fma(a[1], a[2], a[3]); }\n").empty());
+    }
+    for (const char* header : {static_cast<const char*>(nullptr), "always"}) {
+        const test::Variable own("PELAGE_POCL_HEADER", header);
+        REQUIRE(build_failure(session(), foreign).empty());
+        REQUIRE_THAT(build_failure(session(), wrong), Contains("not_a_function"));
+    }
 }
 
 TEST_CASE("a failed build names device, options, log and the source") {

@@ -6,6 +6,7 @@
 #include "opencl/device/kept_handlers.hpp"
 #include "opencl/device/kernel_sources.hpp"
 #include "opencl/device/pocl.hpp"
+#include "opencl/device/pocl_header.hpp"
 #include "opencl/device/pocl_programs.hpp"
 
 #include <fmt/format.h>
@@ -69,7 +70,22 @@ void build(const Session& session, const cl::Program& program, const std::string
     if (failure != CL_SUCCESS) throw cl::Error(failure, "clBuildProgram");
 }
 
+std::optional<cl::Program> from_brief_source(const Session& session, const std::string& source,
+                                             const std::string& options) {
+    const auto brief = without_header(session, source, options);
+    if (!brief) return {};
+    cl::Program program(session.context(), brief->source);
+    try {
+        build(session, program, brief->options);
+    } catch (const cl::Error& error) {
+        if (!header_may_help()) refuse(session, program, source, options, error);
+        return {};
+    }
+    return program;
+}
+
 cl::Program from_source(const Session& session, const std::string& source, const std::string& options) {
+    if (auto program = from_brief_source(session, source, options)) return std::move(*program);
     cl::Program program(session.context(), source);
     try {
         build(session, program, options);
@@ -138,12 +154,17 @@ Source& Source::text(const std::string& emitted) {
     return *this;
 }
 
+CacheKey program_key(const Session& session, const std::string& source, const std::string& options) {
+    const DeviceInfo& info = session.info();
+    const ProgramText text = without_header(session, source, options).value_or(ProgramText{source, options});
+    return {text.source, text.options, info.name, info.version, info.driver, info.platform_version};
+}
+
 BuiltProgram build_program(const Session& session, const std::string& source, const std::string& options) {
     return with_device(session.info().name, [&]() -> BuiltProgram {
-        const DeviceInfo& info = session.info();
         if (!session.options().use_cache) return {from_source(session, source, options)};
-        const CacheKey key{source, options, info.name, info.version, info.driver, info.platform_version};
-        if (info.platform == pocl_platform && !session.options().cache_twice) {
+        const CacheKey key = program_key(session, source, options);
+        if (session.info().platform == pocl_platform && !session.options().cache_twice) {
             cl::Program program;
             const bool compiled =
                 build_with_kept(session, key, [&] { program = from_source(session, source, options); });

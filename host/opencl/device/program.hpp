@@ -1,6 +1,7 @@
 // From kernel files and emitted text to a program built for one device.
 #pragma once
 
+#include "opencl/device/cache.hpp"
 #include "opencl/device/session.hpp"
 
 #include <map>
@@ -27,6 +28,9 @@ public:
 private:
     std::string text_;
 };
+
+// Of the program that build_program() makes of these.
+CacheKey program_key(const Session&, const std::string& source, const std::string& options);
 
 struct BuiltProgram {
     cl::Program program;
