@@ -2,6 +2,7 @@
 #include "app/last_will.hpp"
 
 #include "app/commands.hpp"
+#include "app/worker.hpp"
 #include "core/allowance.hpp"
 #include "opencl/device/device.hpp"
 #include "opencl/device/pocl.hpp"
@@ -47,11 +48,13 @@ void remove_folder(const char* folder) {
 }
 
 // The first thread alone ends the process. Others may run on into what is being removed: nobody hears their complaints.
+// Children compile in folders within ours, and have the standard error that we had: they go first.
 void put_in_order(const std::string& words) {
     while (ending.test_and_set()) pause();
     if (!words.empty()) (void)!write(STDERR_FILENO, words.data(), words.size());
     const int nothing = open("/dev/null", O_WRONLY | O_CLOEXEC);
     if (nothing >= 0) dup2(nothing, STDERR_FILENO);
+    kill_workers();
     if (const char* folder = pocl_folder_name()) remove_folder(folder);
 }
 

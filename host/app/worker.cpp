@@ -8,6 +8,7 @@
 #include <fmt/format.h>
 
 #include <array>
+#include <atomic>
 #include <cerrno>
 #include <csignal>
 #include <cstring>
@@ -36,7 +37,26 @@ struct Pipe {
     }
 };
 
+// The children that there are, for a signal handler; of more than these it does not know.
+std::array<std::atomic<pid_t>, 64> children{};
+
+void replace_child(pid_t before, pid_t after) {
+    for (auto& child : children) {
+        pid_t expected = before;
+        if (child.compare_exchange_strong(expected, after)) return;
+    }
+}
+
 }  // namespace
+
+void kill_workers() {
+    for (auto& child : children) {
+        const pid_t id = child.exchange(0);
+        if (id <= 0) continue;
+        kill(id, SIGKILL);
+        waitpid(id, nullptr, 0);
+    }
+}
 
 Worker::Worker(std::vector<std::string> arguments) {
     // A child that dies must be noticed by what it does not answer, not by a signal to us.
@@ -61,6 +81,7 @@ Worker::Worker(std::vector<std::string> arguments) {
         close_pipes();
         throw Error("no child process can be started: " + system_reason(error));
     }
+    replace_child(0, child_);
 }
 
 Worker::~Worker() {
@@ -80,6 +101,7 @@ void Worker::let_go() {
         ended_ = found != 0 && !(found < 0 && errno == EINTR);
     }
     if (!ended_) return;
+    replace_child(child_, 0);
     child_ = -1;
     close_pipes();
 }
@@ -135,6 +157,7 @@ std::string Worker::end() {
     int status = 0;
     while (waitpid(child_, &status, 0) < 0 && errno == EINTR) {
     }
+    replace_child(child_, 0);
     child_ = -1;
     ended_ = true;
     if (WIFSIGNALED(status)) return fmt::format("signal {} ({})", WTERMSIG(status), strsignal(WTERMSIG(status)));

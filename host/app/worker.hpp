@@ -13,6 +13,9 @@ namespace pelage::app {
 // Answers are the lines of the child's standard output that begin with this: drivers may print there too.
 inline constexpr const char* answer_mark = "pelage-answer ";
 
+// Kills the children of all workers and waits until they are gone. A signal handler may call it.
+void kill_workers();
+
 class Worker {
 public:
     explicit Worker(std::vector<std::string> arguments);  // of this same program
