@@ -175,7 +175,7 @@ TEST_CASE("PoCL's own cache is neither read nor written") {
 TEST_CASE("option --no-cache leaves nothing on the disk") {
     const User user;
     user.check_run("", "--no-cache");
-    CHECK(files_below(user.home()).empty());
+    CHECK(test::names_in(user.home()).empty());
     CHECK(shell(user.start("") + "verify --filter random/many --quiet").exit_code == 0);
     CHECK(test::names_in(user.temporary()).empty());
 }

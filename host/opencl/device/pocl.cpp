@@ -78,16 +78,15 @@ std::vector<fs::path> parents() {
     for (const char* place : {"/tmp", "/var/tmp", "/dev/shm"}) {
         if (temporary != place) places.emplace_back(place);
     }
-    if (const fs::path own = cache_folder(); !own.empty()) {
-        if (places.empty() || !fs::is_directory(own, failure)) fs::create_directories(own, failure);
-        places.push_back(own);
-    }
+    if (const fs::path own = cache_folder(); !own.empty()) places.push_back(own);
     return places;
 }
 
 void find_folder(Preparation& preparation) {
     std::string trouble;
     for (const fs::path& parent : parents()) {
+        std::error_code failure;
+        if (parent == cache_folder()) fs::create_directories(parent, failure);  // only where no other place will do
         preparation.folder = folder_in(parent, trouble);
         if (!preparation.folder) continue;
         setenv("POCL_CACHE_DIR", preparation.folder->path().c_str(), 1);
