@@ -178,7 +178,7 @@ Picture FilmPainter::lattice(const Shot& shot, const Colours& colours) {
     std::vector<QuickColours::Word> words(shot.columns);
     for (std::size_t row = 0; row < shot.rows; ++row) {
         quick(false).draw(colours, shot.values.data() + row * shot.columns, shot.columns, words.data());
-        std::ranges::transform(words, &picture.at(0, shot.rows - 1 - row), rgb_of);
+        std::ranges::transform(words, &picture.at(0, shot.rows - 1 - row), [](auto word) { return rgb_of(word); });
     }
     return picture;
 }

@@ -92,10 +92,13 @@ Palette::Palette(const Colormap& map)
     }
 }
 
-Rgb Palette::operator()(double above, double range) const {
-    if (!slotted_) return linear<Rgb>(stops_, std::clamp(above / range, 0.0, 1.0));
+std::size_t Palette::slot(double above, double range) const {
     const auto last = static_cast<double>(slot_count - 1);
-    return slots_[static_cast<std::size_t>(std::clamp(last * above / range, 0.0, last))];
+    return static_cast<std::size_t>(std::clamp(last * above / range, 0.0, last));
+}
+
+Rgb Palette::operator()(double above, double range) const {
+    return slotted_ ? slots_[slot(above, range)] : linear<Rgb>(stops_, std::clamp(above / range, 0.0, 1.0));
 }
 
 DeepRgb Palette::deep(double above, double range) const {

@@ -25,7 +25,9 @@ public:
 
     bool slotted() const { return slotted_; }
     const std::vector<ColourStop>& stops() const { return stops_; }  // of a linear map, ascending
-    // Of a value that lies `above` the low end of a range; beyond its ends the end colours.
+    const std::vector<Rgb>& slots() const { return slots_; }         // of a slotted map
+    // Of a value that lies `above` the low end of a range; beyond its ends the end slots, and the end colours.
+    std::size_t slot(double above, double range) const;  // of a slotted map
     Rgb operator()(double above, double range) const;
     DeepRgb deep(double above, double range) const;  // 16 bits: linear maps have more colours
 
@@ -64,6 +66,7 @@ public:
     double low() const { return low_; }
     double high() const { return high_; }
     bool flat() const { return flat_; }  // every value is grey
+    const Palette& palette() const { return palette_; }
     Rgb operator()(double value) const;
     DeepRgb deep(double value) const;  // 16 bits; linear maps have colours between those of 8 bits
 

@@ -112,7 +112,7 @@ void write_yuv420(const Picture& picture, std::string& to) {
     std::vector<std::uint32_t> words(2 * picture.columns);
     for (std::size_t line = 0; line < picture.rows; line += 2) {
         const auto* from = picture.pixels.data() + line * picture.columns;
-        std::transform(from, from + words.size(), words.begin(), parts_word);
+        std::transform(from, from + words.size(), words.begin(), [](const Rgb& rgb) { return parts_word(rgb); });
         to_yuv(words.data(), words.size(), words.data());
         planes.put(line, words.data(), words.data() + picture.columns);
     }

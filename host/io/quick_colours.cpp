@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <iterator>
 #include <limits>
 
 namespace pelage {
@@ -36,6 +37,7 @@ QuickColours::QuickColours(const Output& output, std::function<Word(const Rgb&)>
         }
     }
     table_[nan_place] = form_(magenta);
+    std::ranges::transform(palette.slots(), std::back_inserter(slots_), form_);
 }
 
 void QuickColours::draw(const Colours& colours, const float* values, std::size_t count, Word* to) const {
@@ -67,9 +69,22 @@ void QuickColours::draw(const Colours& colours, const float* values, std::size_t
 void QuickColours::look_up(const Colours& colours, const float* values, std::span<const std::int32_t> places,
                            Word* to) const {
     const Word seen = look_up_words(table_.data(), places.data(), places.size(), to);
-    if ((seen & mixed) == 0) return;
-    for (std::size_t i = 0; i < places.size(); ++i) {
-        if ((to[i] & mixed) != 0) to[i] = form_(colours(double{values[i]}));
+    if ((seen & mixed) != 0) compute_mixed(colours, values, places.size(), to);
+}
+
+void QuickColours::compute_mixed(const Colours& colours, const float* values, std::size_t count, Word* to) const {
+    const Palette& palette = colours.palette();
+    const double low = colours.low();
+    const double range = colours.high() - low;
+    float last = std::numeric_limits<float>::quiet_NaN();
+    Word word = 0;
+    for (std::size_t i = 0; i < count; ++i) {
+        if ((to[i] & mixed) == 0) continue;
+        if (values[i] != last) {  // cells of a background are alike
+            last = values[i];
+            word = slots_.empty() ? form_(colours(double{last})) : slots_[palette.slot(double{last} - low, range)];
+        }
+        to[i] = word;
     }
 }
 

@@ -24,6 +24,7 @@ public:
 
 private:
     void look_up(const Colours&, const float* values, std::span<const std::int32_t> places, Word* to) const;
+    void compute_mixed(const Colours&, const float* values, std::size_t count, Word* to) const;
 
     static constexpr std::size_t pieces = std::size_t{1} << 15;
     static constexpr std::size_t nan_place = pieces + 2;
@@ -31,6 +32,7 @@ private:
 
     std::function<Word(const Rgb&)> form_;
     std::vector<Word> table_;  // what lies below the range, the pieces, what lies above, NaN
+    std::vector<Word> slots_;  // of a slotted map, whose background often lies where its last slot begins
 };
 
 // Minimum to maximum of the finite values.
