@@ -330,9 +330,28 @@ class Bench:
         self.names = in_order(self.program, self.form)
         self.surroundings = dict(os.environ, PELAGE_CACHE=str(self.work / "cache"),
                                  POCL_CACHE_DIR=str(self.work / "pocl-cache"))
+        self.kernels_of = {}  # by name of a check: the kernel files that its programs are put together of
 
     def healthy(self):
         return judge(self.program, self.names, self.form, self.surroundings, self.workers, self.limit)
+
+    def find_kernels(self):
+        """Each check alone, in a process of its own; the result is kept for the same program."""
+        kept, stamp = self.work / "kernels_of.json", [self.program, os.stat(self.program).st_mtime, self.form]
+        if kept.exists() and (found := json.loads(kept.read_text()))["stamp"] == stamp:
+            self.kernels_of = found["kernels"]
+            return
+        log = self.work / "kernels.log"
+        for name in self.names:
+            log.unlink(missing_ok=True)
+            judge(self.program, [name], self.form, dict(self.surroundings, PELAGE_KERNELS_LOG=str(log)), 1, self.limit)
+            self.kernels_of[name] = sorted(set(log.read_text().split())) if log.exists() else []
+        kept.write_text(json.dumps({"stamp": stamp, "kernels": self.kernels_of}))
+
+    def concerned(self, fault):
+        """Whether a check can tell: what is compiled without the file is as before."""
+        file = fault["file"].removeprefix("kernels/")
+        return lambda name: file == fault["file"] or file in self.kernels_of.get(name, [file])
 
     def learn(self, fault, verdict, name):
         if verdict != "killed":
@@ -347,7 +366,7 @@ class Bench:
         known += sorted((name for name in counts if name in self.names), key=lambda name: -counts[name])
         beginnings = next((names for path, names in LIKELY if fault["file"].startswith(path)), [])
         likely = [name for beginning in beginnings for name in self.names if re.match(beginning, name)]
-        return list(dict.fromkeys(known + likely + self.names))
+        return list(filter(self.concerned(fault), dict.fromkeys(known + likely + self.names)))
 
     def try_one(self, fault):
         text = plant(ROOT, fault)
@@ -451,6 +470,7 @@ def main():
     verdict, name, what = bench.healthy()
     if verdict != "survived":
         raise SystemExit(f"without a fault {name} fails already: {what}")
+    bench.find_kernels()
     results = [one for one in results if one["verdict"] != "late"]  # they are tried again
     known = {(one["file"], one["before"], one["after"], one["nth"]): one for one in results}
     faults = named() if chosen.named else json.loads(chosen.replay.read_text()) if chosen.replay else draw(chosen.seed)

@@ -28,6 +28,11 @@ std::string kernels_folder() {
     return folder == nullptr ? "" : folder;
 }
 
+void log_kernel(const std::string& name) {
+    const char* const file = std::getenv("PELAGE_KERNELS_LOG");
+    if (file != nullptr) std::ofstream(file, std::ios::app) << name << '\n';
+}
+
 const std::map<std::string, std::string>& kernel_sources() {
     if (kernels_folder().empty()) return embedded_kernels();
     static const auto& of_folder = *new const std::map<std::string, std::string>(read_kernels(kernels_folder()));

@@ -15,6 +15,9 @@ const std::map<std::string, std::string>& kernel_sources();
 const std::map<std::string, std::string>& embedded_kernels();
 
 std::string kernels_folder();  // PELAGE_KERNELS; empty: not set
+
+// Adds a line to the file that the environment names in PELAGE_KERNELS_LOG, if any: a program was put together of this.
+void log_kernel(const std::string& name);
 std::map<std::string, std::string> read_kernels(const std::filesystem::path& folder);
 
 }  // namespace pelage

@@ -121,6 +121,7 @@ void keep_binary(const cl::Program& program, const CacheKey& key) {
 const std::string& kernel_text(const std::string& name) {
     const auto found = kernel_sources().find(name);
     if (found == kernel_sources().end()) throw Error("there is no kernel file '" + name + "' in this build");
+    log_kernel(name);
     return found->second;
 }
 
