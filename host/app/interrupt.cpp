@@ -1,6 +1,8 @@
 // See interrupt.hpp.
 #include "app/interrupt.hpp"
 
+#include "app/last_will.hpp"
+
 #include <unistd.h>
 
 #include <array>
@@ -62,6 +64,7 @@ Interrupt::Interrupt() {
         sigemptyset(&action.sa_mask);
         sigaction(signals[i], &action, nullptr);
     }
+    when_killed_say(nullptr);
 }
 
 Interrupt::~Interrupt() {

@@ -5,7 +5,8 @@
 namespace pelage::app {
 
 // While one lives, the first signal only sets a mark; a second one of the same kind ends the process as usual. Where
-// the process goes on for seconds after a first Ctrl-C, a line on standard error tells of the second.
+// the process goes on for seconds after a first Ctrl-C, a line on standard error tells of the second. What was to be
+// said before (when_killed_say()) no longer is: work has begun.
 class Interrupt {
 public:
     Interrupt();

@@ -21,6 +21,7 @@
 #include <cstdlib>
 #include <new>
 #include <string>
+#include <string_view>
 
 namespace pelage::app {
 
@@ -36,6 +37,8 @@ struct LastWords {
 };
 const LastWords* last_words = nullptr;
 
+std::atomic<const char*> parting_words = nullptr;  // of a process that is asked to end
+std::atomic<const char*> doomed_file = nullptr;
 std::atomic_flag ending = ATOMIC_FLAG_INIT;
 
 void remove_folder(const char* folder) {
@@ -49,9 +52,10 @@ void remove_folder(const char* folder) {
 
 // The first thread alone ends the process. Others may run on into what is being removed: nobody hears their complaints.
 // Children compile in folders within ours, and have the standard error that we had: they go first.
-void put_in_order(const std::string& words) {
+void put_in_order(std::string_view words) {
     while (ending.test_and_set()) pause();
     if (!words.empty()) (void)!write(STDERR_FILENO, words.data(), words.size());
+    if (const char* file = doomed_file.load()) unlink(file);
     const int nothing = open("/dev/null", O_WRONLY | O_CLOEXEC);
     if (nothing >= 0) dup2(nothing, STDERR_FILENO);
     kill_workers();
@@ -74,7 +78,11 @@ void end_tidily(int signal) {
         for (const int crash : crashes) handle(crash);  // of other threads; a driver may have put its own there
     }
     const bool short_of_memory = is_crash(signal) && !last_words->on_crash.empty() && drivers_started();
-    put_in_order(short_of_memory ? last_words->on_crash : std::string());
+    const char* parting = is_crash(signal) ? nullptr : parting_words.load();
+    if (short_of_memory)
+        put_in_order(last_words->on_crash);
+    else
+        put_in_order(parting == nullptr ? std::string_view() : std::string_view(parting));
     if (short_of_memory) _exit(bad_input);
     std::signal(signal, SIG_DFL);
     sigset_t one;
@@ -113,6 +121,10 @@ void tidy_when_killed() {
     std::ranges::for_each(crashes, unless_chosen);
     std::set_new_handler(end_without_memory);
 }
+
+void when_killed_say(const char* words) { parting_words = words; }
+
+void when_killed_remove(const char* file) { doomed_file = file; }
 
 void keep_ignored() {
     sigset_t ignored;

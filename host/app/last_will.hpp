@@ -12,6 +12,12 @@ void keep_ignored();
 // ignored. Where `new` fails after drivers were loaded, the process ends at once, with a sentence and exit code 2.
 void tidy_when_killed();
 
+// What such a signal, but for a crash, makes the process say; null: nothing. The words must live to the end.
+void when_killed_say(const char* words);
+
+// The file that such a signal removes; null: none. The name must live as long as it is known here.
+void when_killed_remove(const char* file);
+
 // For a child process: it ends in the same way when its parent does.
 void end_with_parent();
 

@@ -5,6 +5,7 @@
 #include "app/commands.hpp"
 #include "app/film.hpp"
 #include "app/film_plan.hpp"
+#include "app/last_will.hpp"
 #include "app/machine.hpp"
 #include "app/memory.hpp"
 #include "app/named_files.hpp"
@@ -57,6 +58,7 @@ bool trusted(const RunOptions& options, const Prepared& prepared, const Machine&
 }  // namespace
 
 int run_experiment(const RunOptions& options) {
+    when_killed_say("pelage: stopped before the run began\n");
     Prepared prepared = prepare(options);
     warn(options, prepared);
     check_formats(options, prepared.experiment);

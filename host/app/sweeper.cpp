@@ -3,6 +3,7 @@
 
 #include "app/commands.hpp"
 #include "app/interrupt.hpp"
+#include "app/last_will.hpp"
 #include "app/machine.hpp"
 #include "app/memory.hpp"
 #include "app/prepare.hpp"
@@ -250,6 +251,7 @@ int carry_out(const SweepOptions& options, cluster::Ranks* ranks) {
 }  // namespace
 
 int run_sweep(const SweepOptions& options) {
+    when_killed_say("pelage: stopped before the sweep began\n");
     const std::unique_ptr<cluster::Ranks> ranks = cluster::join_ranks();
     try {
         return carry_out(options, ranks.get());

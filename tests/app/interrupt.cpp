@@ -7,6 +7,9 @@
 #include <catch2/catch.hpp>
 #include <nlohmann/json.hpp>
 
+#include <fcntl.h>
+#include <sys/stat.h>
+#include <unistd.h>
 #include <csignal>
 
 using test::Child;
@@ -93,6 +96,23 @@ TEST_CASE("Ctrl-C saves a checkpoint, and the command it prints ends in the bits
     for (const char* name : {"final.U.npy", "final.V.npy"}) {
         CHECK(read_all(folder / "broken off" / name) == read_all(folder / "whole" / name));
     }
+}
+
+TEST_CASE("a signal before a run or a sweep begins ends it with a sentence") {
+    const Folder folder;
+    const std::string file = folder / "pipe.pex";
+    REQUIRE(mkfifo(file.c_str(), 0600) == 0);
+    const auto [subcommand, signal] =
+        GENERATE(table<std::string, int>({{"run", SIGINT}, {"run", SIGTERM}, {"sweep", SIGTERM}}));
+    std::vector<std::string> words{PELAGE_COMMAND, subcommand, file, "--out", folder / "out"};
+    if (subcommand == "sweep") words.insert(words.end(), {"--vary", "a=1:2:2"});
+    Child child(words);
+    const int pipe = open(file.c_str(), O_WRONLY);  // waits until the experiment is being read
+    child.signal(signal);
+    const Outcome outcome = child.wait();
+    close(pipe);
+    CHECK(outcome.exit_code == 128 + signal);
+    CHECK(outcome.err == "pelage: stopped before the " + subcommand + " began\n");
 }
 
 TEST_CASE("a run that was told to outlive its terminal does") {
