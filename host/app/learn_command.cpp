@@ -8,87 +8,90 @@
 #include <CLI/Config.hpp>
 #include <CLI/Formatter.hpp>
 
-#include <charconv>
+#include <cstdint>
 #include <limits>
 #include <memory>
-#include <sstream>
 #include <string>
-#include <system_error>
+#include <type_traits>
+#include <vector>
 
 namespace pelage::app {
 
 namespace {
 
-constexpr std::uint64_t most_steps = 100'000'000;
+CLI::Validator within(const WholeLimit& limit) {
+    return whole_number(static_cast<std::int64_t>(limit.least), limit.most, limit.multiple);
+}
 
-template <class Number>
-Number number_in(const std::string& word, const std::string& whole, const char* option) {
-    Number value{};
-    const auto [end, failure] = std::from_chars(word.data(), word.data() + word.size(), value);
-    if (failure != std::errc{} || end != word.data() + word.size() || word.empty())
-        throw Error(fmt::format("{} '{}' is not understood: '{}' is no whole number", option, whole, word));
-    return value;
+CLI::Validator within(const learn::RealLimit& limit) { return number(limit.least, limit.most); }
+
+// Adds an option whose values, and the words of its help, come from the table of limits.
+template <class Limit, class Value>
+void add_limited(CLI::App& command, const Limit& limit, Value& value, const std::string& what,
+                 const std::string& usual) {
+    command.add_option(limit.option, value, fmt::format("{}: {}. Default: {}", what, allowed(limit), usual))
+        ->type_name(std::is_same_v<Limit, WholeLimit> ? "N" : "X")
+        ->transform(within(limit));
+}
+
+std::uint64_t number_in(std::string word, const WholeLimit& limit, const std::string& whole) {
+    (void)trimmed()(word);
+    const std::string failure = within(limit)(word);
+    if (!failure.empty()) throw Error(fmt::format("{} {}: {}", limit.option, whole, failure));
+    return std::stoull(word);
+}
+
+std::vector<std::string> parts_of(const std::string& text, char mark) {
+    std::vector<std::string> parts(1);
+    for (const char one : text) {
+        if (one == mark)
+            parts.emplace_back();
+        else
+            parts.back() += one;
+    }
+    return parts;
 }
 
 void take_iterations(const std::string& text, learn::Settings& settings) {
-    const std::size_t colon = text.find(':');
-    if (colon == std::string::npos) throw Error(fmt::format("--iterations is written LOW:HIGH, not '{}'", text));
-    settings.fewest = number_in<std::size_t>(text.substr(0, colon), text, "--iterations");
-    settings.most = number_in<std::size_t>(text.substr(colon + 1), text, "--iterations");
-    constexpr std::size_t most = 10'000;
-    if (settings.most > most) throw Error(fmt::format("--iterations {} has more than {}", text, most));
+    const std::vector<std::string> parts = parts_of(text, ':');
+    if (parts.size() != 2)
+        throw Error(fmt::format("--iterations is written LOW:HIGH, two numbers as in 32:96, not '{}'", text));
+    settings.fewest = number_in(parts[0], learn::limits::iterations, text);
+    settings.most = number_in(parts[1], learn::limits::iterations, text);
 }
 
 void take_drops(const std::string& text, learn::Settings& settings) {
     settings.drops.clear();
     if (text == "never") return;
-    std::istringstream words(text);
-    for (std::string word; std::getline(words, word, ',');)
-        settings.drops.push_back(number_in<std::uint64_t>(word, text, "--drop-at"));
+    for (const std::string& part : parts_of(text, ','))
+        settings.drops.push_back(number_in(part, learn::limits::drop_at, text));
 }
 
 void add_system(CLI::App& command, learn::Settings& settings) {
+    using namespace learning_limits;
     LearningShape& shape = settings.shape;
-    command.add_option("--size", shape.side, "Cells along a side of the torus, a multiple of 16. Default: 64")
-        ->type_name("N")
-        ->transform(whole_number(1, 4096));
-    command.add_option("--chemicals", shape.chemicals, "Chemicals, a multiple of 4. Default: 32")
-        ->type_name("N")
-        ->transform(whole_number(1, 4096));
-    command.add_option("--hidden", shape.hidden, "Hidden values of the network, a multiple of 8. Default: 128")
-        ->type_name("N")
-        ->transform(whole_number(1, 4096));
-    command
-        .add_option("--rotations", shape.rotations,
-                    "Angles by which the picture is turned, the best of which counts; 1: as it is. Default: 8")
-        ->type_name("N")
-        ->transform(whole_number(1, 4096));
-    command
-        .add_option("--scale", settings.scale,
-                    "Pixels of the picture that become one cell. Default: its shorter side becomes the torus's")
-        ->type_name("X");
+    add_limited(command, size, shape.side, "Cells along a side of the torus", "64");
+    add_limited(command, chemicals, shape.chemicals, "Chemicals", "32");
+    add_limited(command, hidden, shape.hidden, "Hidden values of the network", "128");
+    add_limited(command, rotations, shape.rotations,
+                "Angles by which the picture is turned, the best of which counts; 1: as it is", "8");
+    add_limited(command, learn::limits::scale, settings.scale, "Pixels of the picture that become one cell",
+                "its shorter side becomes the torus's");
     command.add_flag("--wrap", settings.wrap, "Opposite edges of the picture fit together");
 }
 
 void add_learning_course(CLI::App& command, learn::Settings& settings) {
-    command.add_option("--steps", settings.steps, "Steps of learning, those before --resume included. Default: 2000")
-        ->type_name("N")
-        ->transform(whole_number(1, most_steps));
-    command.add_option("--batch", settings.shape.batch, "Samples of a step. Default: 4")
-        ->type_name("N")
-        ->transform(whole_number(1, 4096));
-    command.add_option("--pool", settings.pool, "States that samples are taken from and given back to. Default: 1024")
-        ->type_name("N")
-        ->transform(whole_number(1, 1'000'000));
-    command
-        .add_option("--seed-every", settings.seed_every,
-                    "Steps from one fresh seed state among the samples to the next. Default: 32")
-        ->type_name("N")
-        ->transform(whole_number(1, most_steps));
+    using namespace learn::limits;
+    add_limited(command, steps, settings.steps, "Steps of learning, those before --resume included", "2000");
+    add_limited(command, learning_limits::batch, settings.shape.batch, "Samples of a step", "4");
+    add_limited(command, pool, settings.pool,
+                "States that samples are taken from and given back to, not fewer than --batch", "1024");
+    add_limited(command, seed_every, settings.seed_every,
+                "Steps from one fresh seed state among the samples to the next", "32");
     command
         .add_option_function<std::string>(
             "--iterations", [&settings](const std::string& text) { take_iterations(text, settings); },
-            "How many a step makes at least and at most. Default: 32:96")
+            fmt::format("How many a step makes at least and at most, each {}. Default: 32:96", allowed(iterations)))
         ->type_name("LOW:HIGH");
     command.add_option("--seed", settings.seed, "Seed of all random numbers. Default: 1")
         ->type_name("N")
@@ -96,25 +99,26 @@ void add_learning_course(CLI::App& command, learn::Settings& settings) {
 }
 
 void add_optimiser(CLI::App& command, learn::Settings& settings) {
-    command.add_option("--rate", settings.rate, "Learning rate of the optimiser, Adam. Default: 0.001")->type_name("X");
-    command.add_option("--drop", settings.drop, "What the rate is multiplied by after each of --drop-at. Default: 0.2")
-        ->type_name("X");
+    using namespace learn::limits;
+    add_limited(command, rate, settings.rate, "Learning rate of the optimiser, Adam", "0.001");
+    add_limited(command, drop, settings.drop, "What the rate is multiplied by after each of --drop-at", "0.2");
     command
         .add_option_function<std::string>(
             "--drop-at", [&settings](const std::string& text) { take_drops(text, settings); },
-            "Steps after which the rate drops, separated by commas, or never. Default: 1000,10000")
+            "Steps after which the rate drops, ascending, separated by commas, or never. Default: 1000,10000")
         ->type_name("LIST");
-    command.add_option("--overflow", settings.overflow, "Weight of what chemicals have beyond -1 and 1. Default: 1")
-        ->type_name("X");
+    add_limited(command, overflow, settings.overflow, "Weight of what chemicals have beyond -1 and 1", "1");
 }
 
 void add_learning_machine(CLI::App& command, LearnOptions& options) {
     command
         .add_option_function<std::size_t>(
             "--memory", [&options](std::size_t mebibytes) { options.settings.memory = mebibytes << 20; },
-            "MiB for the states of one step; with less, some are computed twice, to the same bits. Default: 1024")
+            fmt::format("MiB for the states of one step; with less, some are computed twice, to the same bits: {}. "
+                        "Default: 1024",
+                        allowed(learn::limits::memory)))
         ->type_name("MIB")
-        ->transform(whole_number(1, 1 << 20));
+        ->transform(within(learn::limits::memory));
     command.add_option("--backend", options.backend, "What computes. Default: opencl where it can")
         ->type_name("reference|opencl")
         ->check(one_of({"reference", "opencl"}));
@@ -128,12 +132,12 @@ void add_learning_files(CLI::App& command, LearnOptions& options) {
         ->type_name("MODEL.npz");
     command.add_option("--preview-every", options.preview_every, "Steps from one preview to the next. Default: 100")
         ->type_name("N")
-        ->transform(whole_number(1, most_steps));
+        ->transform(within(learn::limits::steps));
     command
         .add_option("--checkpoint-every", options.checkpoint_every,
                     "Steps from one checkpoint to the next; Ctrl-C and the end save one, too. Default: 1000")
         ->type_name("N")
-        ->transform(whole_number(1, most_steps));
+        ->transform(within(learn::limits::steps));
     command.add_flag("--resume", options.resume, "Go on from the checkpoint beside the model, to the same bits");
     command.add_flag("--quiet", options.quiet, "Say nothing but errors");
 }

@@ -16,7 +16,7 @@ namespace pelage::app {
 namespace {
 
 Machine on_reference(const RunOptions& options, const Experiment& experiment) {
-    if (!options.device.empty()) throw Error("--device chooses an OpenCL device; it goes with --backend opencl");
+    check_device(options.backend, options.device);
     if (options.fast) throw Error("--fast changes only how OpenCL computes; it goes with --backend opencl");
     Machine machine{reference_backend(options.precision, options.neighbour_search(), options.sorting),
                     "reference",
@@ -33,11 +33,7 @@ Machine on_reference(const RunOptions& options, const Experiment& experiment) {
     return machine;
 }
 
-// Whether PELAGE_DEVICE chooses the device.
-bool by_variable(const RunOptions& options) {
-    const char* variable = std::getenv("PELAGE_DEVICE");
-    return options.device.empty() && variable != nullptr && *variable != '\0';
-}
+bool by_variable(const RunOptions& options) { return options.device.empty() && variable_chooses_device(); }
 
 Machine on_opencl(const RunOptions& options, const Experiment& experiment, const Footprint& footprint) {
     OpenclOptions wanted;
@@ -62,6 +58,16 @@ Machine on_opencl(const RunOptions& options, const Experiment& experiment, const
 }
 
 }  // namespace
+
+void check_device(const std::string& backend, const std::string& device) {
+    if (backend == "reference" && !device.empty())
+        throw Error("--device chooses an OpenCL device; it goes with --backend opencl");
+}
+
+bool variable_chooses_device() {
+    const char* variable = std::getenv("PELAGE_DEVICE");
+    return variable != nullptr && *variable != '\0';
+}
 
 Worked worked(const Machine& machine) {
     if (!machine.opencl) return Worked::by_reference;

@@ -28,6 +28,12 @@ struct Machine {
 
 Worked worked(const Machine&);
 
+// Throws Error where a device is named for the reference, which has none.
+void check_device(const std::string& backend, const std::string& device);
+
+// Whether PELAGE_DEVICE asks for a device.
+bool variable_chooses_device();
+
 // Without options.backend: OpenCL where a device is usable for this experiment, else the reference. A backend or device
 // that was asked for and cannot be had is an Error, never replaced by another one.
 Machine choose_machine(const RunOptions&, const Experiment&, const Footprint&);

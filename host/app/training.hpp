@@ -5,7 +5,6 @@
 
 #include <cstdint>
 #include <filesystem>
-#include <optional>
 #include <string>
 
 namespace pelage::app {
@@ -18,7 +17,7 @@ struct LearnOptions {
     std::uint64_t checkpoint_every = 1000;
     bool resume = false;
     std::string backend;  // empty: OpenCL where a device is usable, else the reference
-    std::optional<std::string> device;
+    std::string device;   // empty: the best that is there
     bool quiet = false;
 };
 

@@ -105,7 +105,7 @@ void add_options(CLI::App& command, TuneOptions& options) {
     command.add_flag("--quick", options.quick, "The short search that comes before a long run: 5 seconds");
     command.add_option("--limit", options.limit, "What one candidate may take (default: 20)")
         ->type_name("SECONDS")
-        ->check(seconds(0.1, 86'400));
+        ->check(number(0.1, 86'400));
     command.add_flag("--forget", options.forget, "Try all anew, what was struck out too");
     command.add_flag("--no-cache", options.run.no_cache, "Remember nothing");
     command.add_option("--json", options.json, "Write all trials to this file")->type_name("FILE");

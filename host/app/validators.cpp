@@ -54,11 +54,12 @@ bool within(const Whole& whole, std::int64_t smallest, std::uint64_t largest) {
 
 }  // namespace
 
-CLI::Validator whole_number(std::int64_t smallest, std::uint64_t largest) {
-    const auto bring = [smallest, largest](std::string& word) -> std::string {
+CLI::Validator whole_number(std::int64_t smallest, std::uint64_t largest, std::uint64_t multiple_of) {
+    const auto bring = [=](std::string& word) -> std::string {
         const std::optional<Whole> whole = to_whole(word);
-        if (!whole || !within(*whole, smallest, largest)) {
-            return fmt::format("'{}' is not a whole number from {} to {}", word, smallest, largest);
+        if (!whole || !within(*whole, smallest, largest) || whole->size % multiple_of != 0) {
+            const std::string kind = multiple_of == 1 ? "whole number" : fmt::format("multiple of {}", multiple_of);
+            return fmt::format("'{}' is not a {} from {} to {}", word, kind, smallest, largest);
         }
         word = fmt::format("{}{}", whole->negative && whole->size != 0 ? "-" : "", whole->size);
         return {};
@@ -74,11 +75,12 @@ CLI::Validator one_of(const std::vector<std::string>& words) {
     return {look, ""};
 }
 
-CLI::Validator seconds(double shortest, double longest) {
-    const auto look = [shortest, longest](std::string& word) -> std::string {
-        const auto value = read_number<double>(word);
-        if (value && *value >= shortest && *value <= longest) return {};
-        return fmt::format("'{}' is not a number from {} to {}", word, shortest, longest);
+CLI::Validator number(double least, double most) {
+    const auto look = [least, most](std::string& word) -> std::string {
+        const bool plus = word.size() > 1 && word[0] == '+' && word[1] != '-';
+        const auto value = read_number<double>(std::string_view(word).substr(plus ? 1 : 0));
+        if (value && *value >= least && *value <= most) return {};
+        return fmt::format("'{}' is not a number from {} to {}", word, least, most);
     };
     return {look, ""};
 }

@@ -3,6 +3,8 @@
 // and E. Niklasson, "Differentiable Programming of Chemical Reaction-Diffusion" (2021).
 #pragma once
 
+#include "core/neural.hpp"
+
 #include <array>
 #include <cstddef>
 #include <cstdint>
@@ -126,7 +128,27 @@ struct Keeping {
 // where none does.
 Keeping keeping(std::size_t iterations, double bytes, double memory);
 
+// What a whole number of a training may be, by the name of the option that sets it.
+struct WholeLimit {
+    const char* option;
+    std::uint64_t least, most, multiple = 1;
+
+    bool allows(std::uint64_t value) const { return value >= least && value <= most && value % multiple == 0; }
+};
+
+namespace learning_limits {
+inline constexpr WholeLimit size{"--size", 2 * sum_lanes, 512, sum_lanes};
+inline constexpr WholeLimit batch{"--batch", 1, 64};
+inline constexpr WholeLimit chemicals{"--chemicals", chemical_groups, largest_network_chemicals, chemical_groups};
+inline constexpr WholeLimit hidden{"--hidden", hidden_block, largest_hidden, hidden_block};
+inline constexpr WholeLimit rotations{"--rotations", 1, 64};
+}  // namespace learning_limits
+
+// "a multiple of 16 from 32 to 512", "a whole number from 1 to 64"
+std::string allowed(const WholeLimit&);
+
 // Throws Error naming the option that is out of its range.
+void check_limit(const WholeLimit&, std::uint64_t value);
 void check_learning(const LearningShape&);
 
 }  // namespace pelage

@@ -10,7 +10,9 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
+#include <array>
 #include <cerrno>
+#include <charconv>
 #include <cstdlib>
 #include <system_error>
 #include <vector>
@@ -42,6 +44,16 @@ void remove_unlocked(const fs::path& path) {
     std::error_code ignored;
     if (ours && flock(file, LOCK_EX | LOCK_NB) == 0 && lies_at(file, path)) fs::remove_all(path, ignored);
     close(file);
+}
+
+// " (1234)", as the owner of a lock wrote it; empty: it has not yet.
+std::string owner_of(int file) {
+    std::array<char, 16> text{};
+    const ssize_t count = pread(file, text.data(), text.size(), 0);
+    long process = 0;
+    if (count <= 0) return {};
+    const auto [end, failure] = std::from_chars(text.data(), text.data() + count, process);
+    return failure == std::errc{} && process > 0 ? fmt::format(" ({})", process) : std::string();
 }
 
 }  // namespace
@@ -79,6 +91,35 @@ PrivateFolder::~PrivateFolder() {
     std::error_code ignored;
     if (owner_ == getpid()) fs::remove_all(path_, ignored);
     if (lock_ >= 0) close(lock_);
+}
+
+FileLock::FileLock(const fs::path& file, const std::string& deed) : path_(file), owner_(getpid()) {
+    while (!take(deed)) {
+    }
+}
+
+bool FileLock::take(const std::string& deed) {
+    file_ = open(path_.c_str(), O_RDWR | O_CREAT | O_NOFOLLOW | O_CLOEXEC, 0666);
+    if (file_ < 0) throw Error(fmt::format("'{}' cannot be made: {}", path_.string(), system_reason(errno)));
+    if (flock(file_, LOCK_EX | LOCK_NB) != 0) {
+        if (errno != EWOULDBLOCK) return true;
+        const std::string owner = owner_of(file_);
+        close(file_);
+        throw Error(fmt::format("another process{} {} at this moment; name another file", owner, deed));
+    }
+    if (!lies_at(file_, path_)) {
+        close(file_);
+        return false;
+    }
+    const std::string own = fmt::format("{}\n", owner_);
+    if (ftruncate(file_, 0) != 0 || write(file_, own.data(), own.size()) < 0) return true;  // the lock counts, not this
+    return true;
+}
+
+FileLock::~FileLock() {
+    std::error_code ignored;
+    if (owner_ == getpid()) fs::remove(path_, ignored);
+    close(file_);
 }
 
 FolderLock::FolderLock(const fs::path& folder) : file_(open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC)) {

@@ -32,6 +32,25 @@ private:
     int owner_;  // a process: a copy of it that forked must not remove the folder
 };
 
+// While one lives, no other process can have one for the same file, which is made for it and goes with it. A process
+// that is killed leaves the file, but no lock. Where the file system knows no locks, everybody can.
+class FileLock {
+public:
+    // `deed`: what the one who has it does, for the message: "another process (1234) DEED at this moment". Throws Error
+    // where another process has it, or the file cannot be made.
+    FileLock(const std::filesystem::path& file, const std::string& deed);
+    ~FileLock();
+    FileLock(const FileLock&) = delete;
+    FileLock& operator=(const FileLock&) = delete;
+
+private:
+    bool take(const std::string& deed);  // false: its last owner removed the file meanwhile
+
+    std::filesystem::path path_;
+    int file_ = -1;
+    int owner_;
+};
+
 // While one lives, no other process can have one for the same folder. Where the file system knows no locks, everybody
 // can.
 class FolderLock {

@@ -1,7 +1,6 @@
 // See course.hpp.
 #include "learn/course.hpp"
 
-#include "core/error.hpp"
 #include "learn/draws.hpp"
 
 #include <fmt/format.h>
@@ -96,7 +95,9 @@ const StepRecord& Course::advance() {
         record.loss = std::numeric_limits<float>::quiet_NaN();
         go_back(places);
     }
-    return state_.records.emplace_back(record);
+    state_.records.push_back(record);
+    check_rate();
+    return state_.records.back();
 }
 
 void Course::go_back(const std::vector<std::size_t>& places) {
@@ -104,10 +105,13 @@ void Course::go_back(const std::vector<std::size_t>& places) {
     state_.count = state_.sound_count;
     for (const std::size_t place : places) pool_.forget(place);
     state_.slowed /= 2;
-    if (state_.slowed < least_slowed)
-        throw Error(fmt::format(
-            "numbers run away at step {}, even at a learning rate of {:.2g}; a smaller --rate or --iterations may help",
-            state_.steps, planned_rate(settings_, state_.steps) * state_.slowed));
+}
+
+void Course::check_rate() const {
+    if (std::isfinite(state_.records.back().loss) || state_.slowed >= least_slowed) return;
+    throw RanAway(fmt::format(
+        "numbers run away at step {}, even at a learning rate of {:.2g}; a smaller --rate or --iterations may help",
+        state_.steps, state_.records.back().rate));
 }
 
 }  // namespace pelage::learn

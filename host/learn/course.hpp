@@ -2,6 +2,7 @@
 // where numbers run away.
 #pragma once
 
+#include "core/error.hpp"
 #include "core/learning.hpp"
 #include "learn/pool.hpp"
 #include "learn/settings.hpp"
@@ -31,6 +32,11 @@ struct CourseState {
     std::vector<StepRecord> records;
 };
 
+class RanAway : public Error {
+public:
+    using Error::Error;
+};
+
 class Course {
 public:
     // Fresh weights: W0 even around 0, the others 0.
@@ -40,7 +46,7 @@ public:
     const PoolStates& pool() const { return pool_.kept(); }
     void restore(CourseState, PoolStates);
 
-    // One step. Throws Error when numbers run away however small the rate.
+    // One step. Throws RanAway when numbers run away however small the rate; the state is then as after any step.
     const StepRecord& advance();
 
     std::uint64_t steps() const { return state_.steps; }
@@ -54,6 +60,7 @@ private:
     std::vector<std::size_t> gather(std::uint64_t step);
     bool sound(float loss) const;
     void go_back(const std::vector<std::size_t>& places);
+    void check_rate() const;
 
     Settings settings_;
     std::unique_ptr<Learner> learner_;

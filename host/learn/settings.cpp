@@ -8,29 +8,53 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace pelage::learn {
 
 namespace {
 
-void check_positive(const char* option, double value) {
-    if (value > 0 && std::isfinite(value)) return;
-    throw Error(fmt::format("{} {} is not allowed; allowed are numbers above 0", option, value));
+void check_real(const RealLimit& limit, double value) {
+    if (limit.allows(value)) return;
+    throw Error(fmt::format("{} {} is not allowed; allowed is {}", limit.option, value, allowed(limit)));
+}
+
+void check_drops(const Settings& settings) {
+    std::uint64_t before = 0;
+    for (const std::uint64_t step : settings.drops) {
+        check_limit(limits::drop_at, step);
+        if (step <= before)
+            throw Error(
+                fmt::format("--drop-at {} is not allowed; each step comes after the one before, and {} does not",
+                            fmt::join(settings.drops, ","), step));
+        before = step;
+    }
+    // The rate is largest or smallest in the end.
+    const double last = planned_rate(settings, settings.steps);
+    if (last >= std::numeric_limits<float>::min() && last <= std::numeric_limits<float>::max()) return;
+    throw Error(fmt::format(
+        "--rate {} comes to {:.3g} by --drop {}; single precision holds numbers from {:.3g} to {:.3g}", settings.rate,
+        last, settings.drop, std::numeric_limits<float>::min(), std::numeric_limits<float>::max()));
 }
 
 }  // namespace
 
+std::string allowed(const RealLimit& limit) { return fmt::format("a number from {} to {}", limit.least, limit.most); }
+
 void check(const Settings& settings) {
     check_learning(settings.shape);
-    check_positive("--rate", settings.rate);
-    check_positive("--drop", settings.drop);
-    if (settings.scale != 0) check_positive("--scale", settings.scale);
-    if (!(settings.overflow >= 0) || !std::isfinite(settings.overflow))
-        throw Error(fmt::format("--overflow {} is not allowed; allowed are 0 and more", settings.overflow));
-    if (settings.fewest < 1 || settings.fewest > settings.most)
-        throw Error(
-            fmt::format("--iterations {}:{} is not allowed; the first number is at least 1 and at most the second",
-                        settings.fewest, settings.most));
+    check_limit(limits::steps, settings.steps);
+    check_limit(limits::pool, settings.pool);
+    check_limit(limits::seed_every, settings.seed_every);
+    check_real(limits::rate, settings.rate);
+    check_real(limits::drop, settings.drop);
+    if (settings.scale) check_real(limits::scale, *settings.scale);
+    check_real(limits::overflow, settings.overflow);
+    check_drops(settings);
+    for (const std::size_t number : {settings.fewest, settings.most}) check_limit(limits::iterations, number);
+    if (settings.fewest > settings.most)
+        throw Error(fmt::format("--iterations {}:{} is not allowed; the first number is at most the second",
+                                settings.fewest, settings.most));
     if (settings.pool < settings.shape.batch)
         throw Error(fmt::format("--pool {} is smaller than --batch {}", settings.pool, settings.shape.batch));
 }
@@ -42,7 +66,7 @@ std::string identity(const Settings& settings) {
         "--rate {} --drop {} --drop-at {} --overflow {} --scale {} {}--seed {}",
         shape.side, shape.batch, shape.chemicals, shape.hidden, shape.rotations, settings.pool, settings.seed_every,
         settings.fewest, settings.most, settings.rate, settings.drop, fmt::join(settings.drops, ","), settings.overflow,
-        settings.scale, settings.wrap ? "--wrap " : "", settings.seed);
+        settings.scale.value_or(0.0), settings.wrap ? "--wrap " : "", settings.seed);
 }
 
 double planned_rate(const Settings& settings, std::uint64_t step) {

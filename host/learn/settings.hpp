@@ -5,6 +5,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -20,11 +21,35 @@ struct Settings {
     double drop = 0.2;                              // by which the rate is multiplied ...
     std::vector<std::uint64_t> drops{1000, 10000};  // ... after these steps
     double overflow = 1.0;                          // weight of what chemicals have beyond -1 and 1
-    double scale = 0.0;  // pixels of the picture a cell; 0: its shorter side becomes the torus's
-    bool wrap = false;   // opposite edges of the picture fit together
+    std::optional<double> scale;  // pixels of the picture a cell; none: its shorter side becomes the torus's
+    bool wrap = false;            // opposite edges of the picture fit together
     std::int64_t seed = 1;
     std::size_t memory = std::size_t{1} << 30;  // bytes for the states of one step
 };
+
+// What a number of a training may be, by the name of the option that sets it.
+struct RealLimit {
+    const char* option;
+    double least, most;
+
+    bool allows(double value) const { return value >= least && value <= most; }  // no NaN is
+};
+
+// Beside those of the shape (core/learning.hpp). Messages, help and pages have their numbers from here.
+namespace limits {
+inline constexpr WholeLimit steps{"--steps", 1, 100'000'000};
+inline constexpr WholeLimit pool{"--pool", 1, 1'000'000};
+inline constexpr WholeLimit seed_every{"--seed-every", 1, 100'000'000};
+inline constexpr WholeLimit iterations{"--iterations", 1, 10'000};
+inline constexpr WholeLimit drop_at{"--drop-at", 1, 100'000'000};
+inline constexpr WholeLimit memory{"--memory", 1, 1 << 20};  // MiB
+inline constexpr RealLimit scale{"--scale", 0.1, 1000};
+inline constexpr RealLimit rate{"--rate", 1e-9, 1e30};  // below, weights stay what they are in single precision
+inline constexpr RealLimit drop{"--drop", 1e-6, 1000};
+inline constexpr RealLimit overflow{"--overflow", 0, 1e6};
+}  // namespace limits
+
+std::string allowed(const RealLimit&);  // "a number from 0.1 to 1000"
 
 // Throws Error naming the option that cannot be.
 void check(const Settings&);

@@ -111,14 +111,31 @@ Levels levels_of(const Settings& settings, const Colours& picture, std::size_t r
     return levels;
 }
 
+// What repeats beyond its edges may be ever so small in cells: then there is nothing in it to learn.
+void check_scale(const Settings& settings, const Colours& picture) {
+    const double scale = scale_of(settings, picture);
+    const auto shorter = static_cast<double>(std::min(picture.columns, picture.rows));
+    if (!limits::scale.allows(scale))
+        throw Error(
+            fmt::format("a picture of {} x {} pixels comes to {:.3g} pixels a cell on a torus of {} cells a side, "
+                        "and that is {}; --scale or --size can say otherwise",
+                        picture.columns, picture.rows, scale, settings.shape.side, allowed(limits::scale)));
+    if (shorter / scale >= static_cast<double>(patch_side)) return;
+    throw Error(
+        fmt::format("at --scale {:.3g} the picture, {} x {} pixels, is {:.3g} cells wide or high; {} are the least, "
+                    "so that a patch of it can be seen",
+                    scale, picture.columns, picture.rows, shorter / scale, patch_side));
+}
+
 }  // namespace
 
 double scale_of(const Settings& settings, const Colours& picture) {
-    if (settings.scale > 0) return settings.scale;
+    if (settings.scale) return *settings.scale;
     return static_cast<double>(std::min(picture.columns, picture.rows)) / static_cast<double>(settings.shape.side);
 }
 
 LearningTask make_task(const Settings& settings, const Colours& picture) {
+    check_scale(settings, picture);
     LearningTask task;
     task.shape = settings.shape;
     task.overflow = settings.overflow;

@@ -42,7 +42,7 @@ std::vector<Spot> smoothed(const std::vector<Spot>& spots) {
 
 void draw_curve(const nlohmann::json& curve, const std::filesystem::path& file) {
     const std::vector<Spot> spots = spots_of(curve);
-    if (spots.empty()) throw Error("a loss curve without a step cannot be drawn");
+    if (spots.empty()) throw Error("no loss of the curve is a number above 0: there is nothing to draw");
     const auto [least, most] = std::ranges::minmax(spots, {}, &Spot::y);
     const double low = std::pow(10.0, std::floor(std::log10(least.y)));
     const double high = std::pow(10.0, std::floor(std::log10(most.y)) + 1);

@@ -164,6 +164,14 @@ TEST_CASE("whole numbers may be written as people write them") {
         INFO(wrong);
         CHECK(brought(some, wrong) == "'" + std::string(wrong) + "' is not a whole number from 1 to 4294967295");
     }
+    const auto sixteens = whole_number(32, 512, 16);
+    CHECK(brought(sixteens, "4.8e1") == "48");
+    for (const char* wrong : {"16", "40", "528"})
+        CHECK(brought(sixteens, wrong) == "'" + std::string(wrong) + "' is not a multiple of 16 from 32 to 512");
+    const auto some_number = pelage::app::number(0.5, 2);
+    for (const char* right : {"0.5", "2", "+1", "1e0"}) CHECK(brought(some_number, right) == right);
+    for (const char* wrong : {"0.4", "3", "nan", "", "+-1", "+", "1x"})
+        CHECK(brought(some_number, wrong) == "'" + std::string(wrong) + "' is not a number from 0.5 to 2");
     for (const char* wrong : {"9223372036854775808", "-9223372036854775809", "99999999999999999999"}) {
         CHECK_THAT(brought(any, wrong), Contains("is not a whole number"));
     }

@@ -151,6 +151,8 @@ TEST_CASE("a training whose numbers run away at any rate ends with a sentence") 
         for (int n = 0; n < 99; ++n) course.advance();
     });
     CHECK_THAT(text, Catch::Contains("numbers run away at step 17"));
+    CHECK(course.records().size() == 17);  // the last one, too: what is saved now can go on
+    CHECK(course.steps() == 17);
 }
 
 TEST_CASE("a checkpoint keeps a course to the bit, and is refused by another one or when it is damaged") {
@@ -202,6 +204,9 @@ TEST_CASE("settings that cannot be are refused by the name of the option") {
     CHECK_THAT(complaint([](Settings& s) { s.rate = 0; }), Catch::Contains("--rate 0"));
     CHECK_THAT(complaint([](Settings& s) { s.drop = -1; }), Catch::Contains("--drop -1"));
     CHECK_THAT(complaint([](Settings& s) { s.scale = std::nan(""); }), Catch::Contains("--scale nan"));
+    CHECK_THAT(complaint([](Settings& s) { s.scale = 0; }), Catch::Contains("allowed is a number from 0.1 to 1000"));
+    CHECK_THAT(complaint([](Settings& s) { s.drops = {0}; }), Catch::Contains("--drop-at 0"));
+    CHECK_THAT(complaint([](Settings& s) { s.drops = {3, 3}; }), Catch::Contains("--drop-at 3,3"));
     CHECK_THAT(complaint([](Settings& s) { s.overflow = -1; }), Catch::Contains("--overflow -1"));
     CHECK_THAT(complaint([](Settings& s) { s.fewest = 97; }), Catch::Contains("--iterations 97:96"));
     CHECK_THAT(complaint([](Settings& s) { s.pool = 3; }), Catch::Contains("--pool 3 is smaller than --batch 4"));

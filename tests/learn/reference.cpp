@@ -116,7 +116,7 @@ TEST_CASE("shapes that cannot be learned are refused by the name of the option")
         }
         return std::string();
     };
-    CHECK(refused({40, 4, 32, 128, 1}) == "--size 40 is not allowed; allowed are multiples of 16 from 32 to 512");
+    CHECK(refused({40, 4, 32, 128, 1}) == "--size 40 is not allowed; allowed is a multiple of 16 from 32 to 512");
     CHECK_THAT(refused({64, 4, 30, 128, 1}), Catch::Contains("--chemicals 30"));
     CHECK_THAT(refused({64, 4, 32, 130, 1}), Catch::Contains("--hidden 130"));
     CHECK(refused({64, 4, 32, 128, 1}).empty());
