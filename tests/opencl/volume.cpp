@@ -10,7 +10,10 @@
 
 #include <catch2/catch.hpp>
 
+#include <algorithm>
 #include <string>
+#include <utility>
+#include <vector>
 
 using namespace pelage;
 
@@ -27,6 +30,14 @@ OpenclOptions waves(std::size_t depth, std::size_t rows) {
     options.cut.depth = depth;
     options.cut.rows = rows;
     return options;
+}
+
+DeviceInfo two_processors() {
+    DeviceInfo device;
+    device.type = "cpu";
+    device.compute_units = 2;
+    device.processors = 2;
+    return device;
 }
 
 }  // namespace
@@ -47,14 +58,38 @@ TEST_CASE("volume: single steps and waves of any depth have the reference's bits
     }
 }
 
+TEST_CASE("volume: of several cuts the fastest is found, and then kept") {
+    const DeviceInfo processor = two_processors();
+    Choice choice;
+    choice.path = Path::streamed;
+    choice.cut.depth = 8;
+    choice.cut.rows = 0;
+    VolumeCuts cuts(processor, choice, {256, 256, 256});
+    std::vector<std::pair<std::size_t, std::size_t>> tried;
+    while (cuts.searching()) {
+        const FusedShape& cut = cuts.now().cut;
+        tried.emplace_back(cut.depth, cut.rows);
+        REQUIRE(tried.size() < 100);
+        const bool first = tried.size() == 1;  // it waits for the compiler
+        cuts.took(first ? 9.0 : cut.rows == 64 ? 0.5 : 1.0);
+    }
+    const std::vector<std::pair<std::size_t, std::size_t>> once{{8, 32}, {4, 32}, {8, 64}, {8, 128}};
+    CHECK(std::equal(once.begin(), once.end(), tried.begin()));
+    CHECK(tried.size() == 2 * once.size());
+    CHECK(cuts.now().cut.depth == 8);
+    CHECK(cuts.now().cut.rows == 64);
+
+    CHECK_FALSE(VolumeCuts(processor, choice, {8, 8, 8}).now().cut.rows > 4);  // each processor has some
+    CHECK(VolumeCuts(processor, choice, {64, 64, 7}).now().cut.depth == 5);
+    choice.cut.rows = 10;
+    CHECK_FALSE(VolumeCuts(processor, choice, {256, 256, 256}).searching());  // asked for
+    choice.path = Path::step;
+    choice.cut.rows = 0;
+    CHECK_FALSE(VolumeCuts(processor, choice, {256, 256, 256}).searching());
+}
+
 TEST_CASE("volume: a wave has no more steps than its layers and rows allow") {
-    const DeviceInfo processor = [] {
-        DeviceInfo device;
-        device.type = "cpu";
-        device.compute_units = 2;
-        device.processors = 2;
-        return device;
-    }();
+    const DeviceInfo processor = two_processors();
     Choice choice;
     choice.path = Path::streamed;
     choice.cut.depth = 4;

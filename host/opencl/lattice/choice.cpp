@@ -118,8 +118,8 @@ Choice choose_for_volume(const DeviceInfo& device, const OpenclOptions& options)
     choice.why = options.path == Path::streamed ? "as asked for"
                  : asked                        ? "a volume is stepped or streamed"
                                                 : "layers go through the caches";
-    choice.cut.depth = options.cut.depth != 0 ? options.cut.depth : 4;
-    choice.cut.rows = options.cut.rows != 0 ? options.cut.rows : 32;
+    choice.cut.depth = options.cut.depth != 0 ? options.cut.depth : 8;
+    choice.cut.rows = options.cut.rows;  // 0: what turns out fastest, see VolumeCuts
     return choice;
 }
 

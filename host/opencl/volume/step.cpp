@@ -7,7 +7,7 @@
 #include "opencl/lattice/emit_lattice.hpp"
 
 #include <algorithm>
-#include <utility>
+#include <chrono>
 
 namespace pelage {
 
@@ -46,15 +46,16 @@ VolumeShape volume_shape(const DeviceInfo& device, const Choice& choice, const V
 }
 
 VolumeStep::VolumeStep(const Session& session, const Experiment& experiment, const LatticePlan& plan,
-                       const std::vector<bool>& active, bool test_intervals, Choice choice)
+                       const std::vector<bool>& active, bool test_intervals, const Choice& choice)
     : session_(session),
-      choice_(std::move(choice)),
+      width_(choice.width),
       volume_(plan.as_volume()),
+      cuts_(session.info(), choice, volume_),
       seed_(static_cast<std::uint64_t>(experiment.run_seed())) {
     const RuleText rules = emit_rules(experiment, active, session.options().precision, test_intervals);
     writes_rates_ = !rules.use.rates_written.empty();
     const std::string source = lattice_source(experiment, plan, rules, bounded_chemicals(experiment),
-                                              session.options().precision, choice_.width, false, false);
+                                              session.options().precision, width_, false, false);
     kernel_ = cl::Kernel(session.build(source, rule_options(session)), "pelage_volume_step");
 }
 
@@ -76,11 +77,26 @@ void VolumeStep::launch(LatticeState& state, const cl::Buffer& parameters, const
     }
 }
 
+void VolumeStep::launch_timed(LatticeState& state, const cl::Buffer& parameters, const VolumeShape& shape,
+                              std::uint64_t first) {
+    using Clock = std::chrono::steady_clock;
+    session_.queue().finish();
+    const Clock::time_point start = Clock::now();
+    launch(state, parameters, shape, first);
+    session_.queue().finish();
+    cuts_.took(std::chrono::duration<double>(Clock::now() - start).count() / static_cast<double>(shape.steps));
+}
+
 void VolumeStep::enqueue(LatticeState& state, const cl::Buffer& parameters, std::uint64_t first, std::uint64_t count,
                          Pace& pace) {
     for (std::uint64_t done = 0; done < count;) {
-        const VolumeShape shape = volume_shape(session_.info(), choice_, volume_, count - done);
-        launch(state, parameters, shape, first + done);
+        const VolumeShape shape = volume_shape(session_.info(), cuts_.now(), volume_, count - done);
+        const bool whole = shape.steps == cuts_.now().cut.depth;  // not the last ones before something happens
+        if (cuts_.searching() && whole) {
+            launch_timed(state, parameters, shape, first + done);
+        } else {
+            launch(state, parameters, shape, first + done);
+        }
         pace.launched();
         done += shape.steps;
         if (shape.steps % 2 == 0) continue;  // an even number of steps ends where it began

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "opencl/lattice/step.hpp"
+#include "opencl/volume/cuts.hpp"
 
 #include <cstdint>
 #include <vector>
@@ -24,17 +25,19 @@ class VolumeStep final : public LatticeKernel {
 public:
     // See LatticeStep.
     VolumeStep(const Session&, const Experiment&, const LatticePlan&, const std::vector<bool>& active,
-               bool test_intervals, Choice);
+               bool test_intervals, const Choice&);
 
     void enqueue(LatticeState&, const cl::Buffer& parameters, std::uint64_t first, std::uint64_t count, Pace&) override;
 
 private:
     // The strips, then what lies between them.
     void launch(LatticeState&, const cl::Buffer& parameters, const VolumeShape&, std::uint64_t first);
+    void launch_timed(LatticeState&, const cl::Buffer& parameters, const VolumeShape&, std::uint64_t first);
 
     const Session& session_;
-    Choice choice_;
+    std::size_t width_;
     Volume volume_;
+    VolumeCuts cuts_;
     std::uint64_t seed_;
     bool writes_rates_ = false;
     cl::Kernel kernel_;
