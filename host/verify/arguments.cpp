@@ -62,7 +62,11 @@ template <class T>
 T drawn_number(std::mt19937_64& engine, const std::vector<T>& special) {
     using Bits = std::conditional_t<std::is_same_v<T, float>, std::uint32_t, std::uint64_t>;
     const std::uint64_t kind = engine() % 8;
-    if (kind < 2) return special[engine() % special.size()];
+    if (kind == 0) return special[engine() % special.size()];
+    if (kind == 1) {  // near one of them: where a function goes another way, it may go there too early or too late
+        const T away = static_cast<T>(static_cast<double>(engine() >> 40) * 0x1p-28 - 0x1p-5);
+        return special[engine() % special.size()] * (T(1) + away);
+    }
     if (kind < 4) return std::bit_cast<T>(static_cast<Bits>(engine()));
     const T unit = static_cast<T>(static_cast<double>(engine() >> 40) * 0x1p-23 - 1.0);
     return std::ldexp(unit, static_cast<int>(engine() % (kind < 7 ? 8 : 40)) - (kind < 7 ? 1 : 32));

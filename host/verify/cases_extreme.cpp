@@ -1,4 +1,5 @@
 // See cases.hpp: bounds of every kind, values at the ends of what a float can hold, and sizes beyond 16 bits.
+#include "language/parse.hpp"
 #include "verify/cases.hpp"
 #include "verify/lab.hpp"
 
@@ -102,6 +103,16 @@ Experiment spreading(Lab lab) {
     return lab.time_step(0.25).done();
 }
 
+// Every cell looks two columns and rows far.
+Experiment looking_around(Size size) {
+    return parse_experiment(
+        fmt::format("define chemical U floor none\nuse seed 5\nuse chemical U conc 2 dev 0.5 diff 0.125\n"
+                    "define stencil look 5x5 1 0 2 0 3 0 0 0 0 0 4 0 -25 0 5 0 0 0 0 0 2 0 5 0 3\n"
+                    "create matrix {} {}\nrule always change U conc (look(U) / 64)\n",
+                    size.columns, size.rows),
+        "sizes/many-columns-around", ".");
+}
+
 }  // namespace
 
 std::vector<Case> extreme_cases() {
@@ -143,7 +154,11 @@ std::vector<Case> extreme_cases() {
          .iterations = 12,
          .touch = tiny_values,
          .grows = true},
-        {.name = "sizes/many-rows", .experiment = matrix(spreading, Boundary::wrap), .sizes = large, .iterations = 3}};
+        {.name = "sizes/many-rows", .experiment = matrix(spreading, Boundary::wrap), .sizes = large, .iterations = 3},
+        {.name = "sizes/many-columns-around",
+         .experiment = looking_around,
+         .sizes = {{65'539, 3}, {3, 65'539}},
+         .iterations = 3}};
 }
 
 }  // namespace pelage::verify

@@ -115,6 +115,18 @@ void make_late(Snapshot& state) {
 // Cells whose values are averaged after each step.
 void pair_cells(Snapshot& state) { state.mirrors = {{0, 12}, {1, 11}, {11, 2}, {100, 5}, {5, 12}}; }
 
+// Cells that touch nobody, until some divide: by then many steps are enqueued together.
+const CellCase resting{"cells/divide-after-rest",
+                       "rule always change A conc 0.01\nrule from 25 probability 0.02 divide direction 45\n"};
+
+void spread_out(Snapshot& state) {
+    constexpr std::size_t across = 16;
+    for (std::size_t cell = 0; cell < state.cells(); ++cell) {
+        state.x[cell] = 5.0 * static_cast<double>(cell % across);
+        state.y[cell] = 5.0 * static_cast<double>(cell / across);
+    }
+}
+
 // Subnormal numbers, in and out: values about the smallest normal number, some of them below it.
 Outcome cells_near_zero(Place& place) {
     const std::string& why_not = place.subnormal_difference();
@@ -202,6 +214,8 @@ std::vector<Check> cell_checks() {
                                              {{.search = NeighbourSearch::spatial_sorting}});
                       }});
 
+    checks.push_back({resting.name, "division", true,
+                      [](Place& place) { return check_cells(resting, place, {{.path = Path::step}}, spread_out); }});
     checks.push_back({"cells/near-zero", "special values", true, cells_near_zero});
     checks.push_back({"cells/many", "division", true, many_cells});
     return checks;

@@ -25,7 +25,7 @@ constexpr std::uint64_t quick_iterations = 50;
 constexpr std::size_t many_sizes = 10;
 
 // The cases that the quick form runs: each kernel path once, in the fewest programs.
-constexpr std::array<std::string_view, 28> quick_cases{"rules/whole-numbers/fused",
+constexpr std::array<std::string_view, 29> quick_cases{"rules/whole-numbers/fused",
                                                        "diffusion/nine-point/no-flux",
                                                        "diffusion/nine-point/wrap",
                                                        "diffusion/nine-point/absorbing",
@@ -50,6 +50,7 @@ constexpr std::array<std::string_view, 28> quick_cases{"rules/whole-numbers/fuse
                                                        "neural/no-flux",
                                                        "values/denormal/published",
                                                        "sizes/many-rows",
+                                                       "sizes/many-columns-around",
                                                        "volume/diffusion/seven-point/wrap",
                                                        "volume/diffusion/twenty-seven-point/absorbing",
                                                        "volume/rules/no-flux"};
