@@ -6,6 +6,8 @@
 #include "opencl/cells/tissue.hpp"
 #include "opencl/device/cl_error.hpp"
 #include "opencl/device/session.hpp"
+#include "opencl/lattice/batch.hpp"
+#include "opencl/lattice/structure.hpp"
 #include "opencl/tissue.hpp"
 
 #include <fmt/format.h>
@@ -41,6 +43,23 @@ public:
         const std::string reason = why_not(experiment);
         if (!reason.empty()) throw Error(experiment.source + ": " + reason);
         return make_opencl_tissue(session_, std::make_shared<const Experiment>(experiment), initial);
+    }
+
+    std::string structure(const Experiment& experiment, const Snapshot& initial) const override {
+        return why_not(experiment).empty() ? structure_of(experiment, initial, precision()) : "";
+    }
+
+    std::size_t batch_room(const Experiment& experiment, const Snapshot& initial) const override {
+        return pelage::batch_room(session_->info(), experiment, initial, precision());
+    }
+
+    std::unique_ptr<Batch> make_batch(const std::vector<BatchStart>& starts) override {
+        for (const BatchStart& start : starts) {
+            validate(*start.experiment);
+            const std::string reason = why_not(*start.experiment);
+            if (!reason.empty()) throw Error(start.experiment->source + ": " + reason);
+        }
+        return make_opencl_batch(session_, starts);
     }
 
 private:

@@ -67,6 +67,7 @@ const std::vector<Dependence>& dependences() {
                                              {"shared steps", {"single steps"}},
                                              {"streamed steps", {"single steps"}},
                                              {"tiled steps", {"single steps"}},
+                                             {"batches", {"tiled steps"}},
                                              {"laws", {"single steps"}},
                                              {"checkpoints", {"single steps"}},
                                              {"cell step", {"neighbour search", "functions", "random numbers"}},

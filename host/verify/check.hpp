@@ -105,6 +105,7 @@ std::vector<Check> all_checks(std::uint64_t seed);
 
 // Parts of them.
 std::vector<Check> lattice_checks();
+std::vector<Check> batch_checks();
 std::vector<Check> law_checks(std::uint64_t seed);
 std::vector<Check> cell_checks();
 std::vector<Check> aggregate_checks();

@@ -6,6 +6,8 @@
 // Lines that begin with //@ are filled in for each experiment, see host/opencl/lattice/emit_lattice.hpp.
 //   PELAGE_TOGETHER    see above
 //   PELAGE_MEANS       rates between neighbours are known, see lattice/means.cl
+//   PELAGE_BATCH       a launch is of several lattices, see host/opencl/lattice/emit_batch.hpp; then `steps` may exceed 1 only
+//                      where one work-item has a lattice to itself
 
 #define WHOLE_NEIGHBOURS TO_UINT(LOAD(neighbours + at))
 #define WHOLE_AGE ((uintv)(iteration)-TO_UINT(LOAD(birth + at)))
@@ -32,7 +34,7 @@ kernel void pelage_lattice_step(global scalar* even_conc, global scalar* odd_con
                                 global scalar* mapping, global int* birth, global int* neighbours,
                                 global const scalar* places, global const scalar* fields, global const scalar* parameters, const int columns,
                                 const int rows, const int pitch, const int band, const uint first, const uint steps,
-                                const uint seed_low, const uint seed_high
+                                uint seed_low, uint seed_high
 #ifdef PELAGE_TOGETHER
                                 ,
                                 volatile global int* flags, const int strips, const int begin, const int everybody
@@ -41,8 +43,13 @@ kernel void pelage_lattice_step(global scalar* even_conc, global scalar* odd_con
                                 ,
                                 global const scalar* means
 #endif
+#ifdef PELAGE_BATCH
+                                ,
+                                global const int* members
+#endif
 ) {
     const long plane = (long)pitch * (rows + 1);
+    //@ batch
     birth = PLANE(birth, 0);
     neighbours = PLANE(neighbours, 0);
     const real dt = R(parameters[0]);

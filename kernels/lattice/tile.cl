@@ -7,6 +7,7 @@
 // Lines that begin with //@ are filled in for each experiment, see host/opencl/lattice/emit_fused.hpp.
 //   PELAGE_TALL      most rows of a tile, margins included
 //   PELAGE_VECTORS   most vectors across, margins included
+//   PELAGE_BATCH     a launch is of several lattices, see host/opencl/lattice/emit_batch.hpp
 
 #define SLOT (PELAGE_VECTORS * PELAGE_WIDTH)
 #define ROW_OF_TILE (PELAGE_FIELDS * SLOT)
@@ -34,10 +35,16 @@ kernel __attribute__((reqd_work_group_size(PELAGE_GROUP, 1, 1))) void pelage_lat
     global scalar* even_polarity, global scalar* odd_polarity, global scalar* even_mapping, global scalar* odd_mapping,
     global const int* birth, global const int* neighbours, global const scalar* places, global const scalar* fields,
     global const scalar* parameters, const int columns, const int rows, const int pitch, const int vectors,
-    const int strip, const uint first, const int steps, const int passes, const uint seed_low, const uint seed_high) {
+    const int strip, const uint first, const int steps, const int passes, uint seed_low, uint seed_high
+#ifdef PELAGE_BATCH
+    ,
+    global const int* members
+#endif
+) {
     local scalar scratch[SCRATCH_SIZE] __attribute__((aligned(128)));
     const int lane = (int)get_local_id(0);
     const long plane = (long)pitch * (rows + 1);
+    //@ batch
     birth = PLANE(birth, 0);
     neighbours = PLANE(neighbours, 0);
     const real dt = R(parameters[0]);

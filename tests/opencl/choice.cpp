@@ -110,6 +110,39 @@ TEST_CASE(
     CHECK(cut(4096, needs(&RuleNeeds::draws)).depth == 4);
 }
 
+TEST_CASE("choice: a batch is tiled where a lattice is, else stepped, whatever is asked for") {
+    const auto chosen = [](const DeviceInfo& device, const RuleNeeds& needs, double side, Path asked) {
+        OpenclOptions options;
+        options.path = asked;
+        const Choice choice = choose_for_batch(device, needs, work(side, 1e12), options);
+        CHECK(choice.cut.batch);
+        return choice;
+    };
+    for (const Path asked : {Path::automatic, Path::step, Path::streamed, Path::shared, Path::tiled}) {
+        CAPTURE(word(asked));
+        const bool tiles = asked == Path::tiled;
+        CHECK(chosen(processor(2), two_fields(), 1024, asked).path == (tiles ? Path::tiled : Path::step));
+        CHECK(chosen(processor(2), needs(&RuleNeeds::wide), 1024, asked).path == Path::step);
+        const bool on_a_card = tiles || asked == Path::automatic;
+        CHECK(chosen(graphics(48 * 1024), two_fields(), 64, asked).path == (on_a_card ? Path::tiled : Path::step));
+        CHECK(chosen(without_local_memory(), needs(&RuleNeeds::wide), 64, asked).path == Path::step);
+    }
+    // What counts is how many cells all lattices have together.
+    CHECK(chosen(graphics(48 * 1024), two_fields(), 64, Path::automatic).cut.rows == 20);
+    CHECK(chosen(graphics(48 * 1024), two_fields(), 64 * 16, Path::automatic).cut.rows == 32);
+}
+
+TEST_CASE("choice: in a batch on a processor a work-item has a lattice, for so long as the host may wait") {
+    const Grid grid{64, 64};
+    CHECK(batch_shape(grid, 5000, 1).steps == 8'000'000 / 4096);
+    CHECK(batch_shape(grid, 5000, 10).steps == 800'000 / 4096);
+    CHECK(batch_shape(grid, 7, 1).steps == 7);
+    CHECK(batch_shape({4000, 4000}, 7, 1).steps == 1);
+    const LaunchShape shape = batch_shape(grid, 5000, 1);
+    CHECK(shape.across * shape.bands * shape.work_group == 1);
+    CHECK(shape.band == 64);
+}
+
 TEST_CASE("choice: a processor streams only what pays, and says why not") {
     const auto why = [](const Work& work, const RuleNeeds& needs = two_fields()) {
         const Choice choice = choose(processor(2), needs, work, {});

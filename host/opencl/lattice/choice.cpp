@@ -195,6 +195,22 @@ Choice choose(const DeviceInfo& device, const RuleNeeds& needs, const Work& work
     return choice;
 }
 
+Choice choose_for_batch(const DeviceInfo& device, const RuleNeeds& needs, const Work& work,
+                        const OpenclOptions& options) {
+    OpenclOptions wanted = options;
+    const auto of_a_batch = [](Path path) { return path == Path::step || path == Path::tiled; };
+    if (wanted.path == Path::automatic) wanted.path = choose(device, needs, work, wanted).path;
+    if (!of_a_batch(wanted.path)) wanted.path = Path::step;
+    Choice choice = choose(device, needs, work, wanted);
+    if (!of_a_batch(choice.path)) {  // what is wide is not tiled
+        wanted.path = Path::step;
+        choice = choose(device, needs, work, wanted);
+    }
+    choice.cut.batch = true;
+    choice.why = "several lattices a launch";
+    return choice;
+}
+
 std::size_t vector_lanes(const DeviceInfo& device, Precision precision) {
     const std::uint32_t lanes =
         precision == Precision::double_ ? device.vector_width_double : device.vector_width_float;

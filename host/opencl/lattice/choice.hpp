@@ -66,6 +66,10 @@ inline constexpr double streamed_after = 2e8;
 // Throws Error when what the options ask for does not fit into the device's local memory.
 Choice choose(const DeviceInfo&, const RuleNeeds&, const Work&, const OpenclOptions&);
 
+// The same for a batch (batch.hpp): it is stepped or tiled, by launches that are of all its lattices. `work`: of all of
+// them.
+Choice choose_for_batch(const DeviceInfo&, const RuleNeeds&, const Work&, const OpenclOptions&);
+
 // Numbers side by side in the device's vectors: 1, 2, 4, 8 or 16.
 std::size_t vector_lanes(const DeviceInfo&, Precision);
 

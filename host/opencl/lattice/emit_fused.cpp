@@ -3,6 +3,7 @@
 #include "opencl/lattice/emit_fused.hpp"
 
 #include "opencl/device/program.hpp"
+#include "opencl/lattice/emit_batch.hpp"
 #include "opencl/lattice/emit_lattice.hpp"
 #include "opencl/lattice/passing.hpp"
 #include "opencl/lattice/traits.hpp"
@@ -280,9 +281,12 @@ std::string tile_source(const Experiment& experiment, const LatticePlan& plan, c
                         const FusedShape& shape) {
     const FusedEmitter emitter(experiment, plan, rules.use, bounded, precision);
     const std::string settings = fmt::format(
-        "#define PELAGE_DEPTH {}\n#define PELAGE_TALL {}\n#define PELAGE_VECTORS {}\n#define PELAGE_GROUP {}\n",
-        shape.depth, shape.rows + 2 * shape.depth, shape.vectors, shape.group);
-    return library(plan, rules.use, emitter, width, settings).file("lattice/tile.cl", emitter.fills(rules)).str();
+        "#define PELAGE_DEPTH {}\n#define PELAGE_TALL {}\n#define PELAGE_VECTORS {}\n#define PELAGE_GROUP {}\n{}",
+        shape.depth, shape.rows + 2 * shape.depth, shape.vectors, shape.group,
+        shape.batch ? "#define PELAGE_BATCH\n" : "");
+    std::map<std::string, std::string> fills = emitter.fills(rules);
+    fills["batch"] = shape.batch ? batch_text(experiment, plan, rules, {"even_mapping", "odd_mapping"}) : "";
+    return library(plan, rules.use, emitter, width, settings).file("lattice/tile.cl", fills).str();
 }
 
 }  // namespace pelage

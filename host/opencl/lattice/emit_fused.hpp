@@ -22,6 +22,7 @@ struct FusedShape {
     std::size_t group = 1;    // work-items
     bool prefetch = false;    // ask for memory before it is needed
     bool together = false;    // strips' work-groups may share the passes of a launch, see lattice/together.cl
+    bool batch = false;       // a launch is of several lattices, see emit_batch.hpp
 
     auto operator<=>(const FusedShape&) const = default;
 };

@@ -4,6 +4,7 @@
 #include "opencl/lattice/emit_lattice.hpp"
 
 #include "opencl/device/program.hpp"
+#include "opencl/lattice/emit_batch.hpp"
 #include "opencl/lattice/traits.hpp"
 
 #include <fmt/format.h>
@@ -250,15 +251,19 @@ double stencil_divisor(Stencil stencil) {
 
 std::string lattice_source(const Experiment& experiment, const LatticePlan& plan, const RuleText& rules,
                            const std::vector<bool>& bounded, Precision precision, std::size_t width, bool together,
-                           bool means) {
+                           bool means, bool batch) {
     const LatticeEmitter emitter(experiment, plan, rules.use, bounded, precision, means);
     Source source;
     source.text(emitter.settings(width)).file("common/prelude.cl").file("rules/philox.cl").file("lattice/rows.cl");
     source.file(plan.volume() ? "volume/stencil.cl" : "lattice/stencil.cl");
     source.file("common/exchange.cl").file("lattice/exchange.cl");
     if (together) source.text("#define PELAGE_TOGETHER").file("lattice/together.cl");
+    if (batch) source.text("#define PELAGE_BATCH");
     for (const std::string& file : rule_files(rules.use)) source.file(file);
-    return source.file(plan.volume() ? "volume/step.cl" : "lattice/step.cl", emitter.fills(rules)).str();
+    std::map<std::string, std::string> fills = emitter.fills(rules);
+    if (plan.volume()) return source.file("volume/step.cl", fills).str();
+    fills["batch"] = batch ? batch_text(experiment, plan, rules, {"mapping"}) : "";
+    return source.file("lattice/step.cl", fills).str();
 }
 
 }  // namespace pelage

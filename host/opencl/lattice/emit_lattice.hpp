@@ -41,8 +41,8 @@ std::string lattice_settings(const LatticePlan&, std::size_t width);
 std::string emit_parameters(const LatticePlan&, const std::vector<bool>& bounded, const Numbers& of_rules);
 
 // `bounded`: chemicals that have a finite bound in some phase. `width`: see PELAGE_WIDTH. `together`: see
-// kernels/lattice/together.cl. `means`: see kernels/lattice/means.cl.
+// kernels/lattice/together.cl. `means`: see kernels/lattice/means.cl. `batch`: see emit_batch.hpp.
 std::string lattice_source(const Experiment&, const LatticePlan&, const RuleText&, const std::vector<bool>& bounded,
-                           Precision, std::size_t width, bool together, bool means);
+                           Precision, std::size_t width, bool together, bool means, bool batch = false);
 
 }  // namespace pelage

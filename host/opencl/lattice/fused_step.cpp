@@ -42,6 +42,7 @@ void FusedStep::set_arguments(LatticeState& state, const cl::Buffer& parameters,
     arguments.add(static_cast<cl_uint>(first), launch.steps, launch.passes, static_cast<cl_uint>(seed_ & 0xffffffffu),
                   static_cast<cl_uint>(seed_ >> 32));
     add_more(arguments, launch, parameters);
+    if (choice_.cut.batch) arguments.add(state.running_list());
 }
 
 void FusedStep::enqueue(LatticeState& state, const cl::Buffer& parameters, std::uint64_t first, std::uint64_t count,
@@ -49,8 +50,8 @@ void FusedStep::enqueue(LatticeState& state, const cl::Buffer& parameters, std::
     while (count > 0) {
         const FusedLaunch launch = next_launch(state.grid(), count);
         set_arguments(state, parameters, launch, first);
-        session_.launch(kernel_, cl::NDRange(launch.bands * choice_.cut.group, launch.strips),
-                        cl::NDRange(choice_.cut.group, 1));
+        session_.launch(kernel_, cl::NDRange(launch.bands * choice_.cut.group, launch.strips, state.running()),
+                        cl::NDRange(choice_.cut.group, 1, 1));
         pace.launched();
         if (launch.passes % 2 != 0) swap_planes(state);
         first += launch.steps * launch.passes;

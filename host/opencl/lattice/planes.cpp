@@ -153,40 +153,42 @@ std::vector<std::vector<V>> stripped(const Grid& grid, std::size_t planes, const
 
 template <class V, class Element>
 void write_elements(const Session& session, const cl::Buffer& buffer, const Grid& grid,
-                    const std::vector<std::vector<V>>& values) {
-    const std::vector<Element> elements = padded<V, Element>(grid, values);
-    session.queue().enqueueWriteBuffer(buffer, CL_TRUE, 0, elements.size() * sizeof(Element), elements.data());
+                    const std::vector<std::vector<V>>& values, std::size_t first) {
+    const std::vector<Element> elements = padded<V, Element>(grid, values);  // 16 zeros before: so they are there
+    session.queue().enqueueWriteBuffer(buffer, CL_TRUE, first * grid.plane() * sizeof(Element),
+                                       elements.size() * sizeof(Element), elements.data());
 }
 
 template <class V, class Element>
 std::vector<std::vector<V>> read_elements(const Session& session, const cl::Buffer& buffer, const Grid& grid,
-                                          std::size_t planes) {
+                                          std::size_t first, std::size_t planes) {
     std::vector<Element> elements(16 + planes * grid.plane());
-    session.queue().enqueueReadBuffer(buffer, CL_TRUE, 0, elements.size() * sizeof(Element), elements.data());
+    session.queue().enqueueReadBuffer(buffer, CL_TRUE, first * grid.plane() * sizeof(Element),
+                                      elements.size() * sizeof(Element), elements.data());
     return stripped<V, Element>(grid, planes, elements);
 }
 
 }  // namespace
 
 template <class V>
-void Planes::upload(const Grid& grid, const std::vector<std::vector<V>>& values) {
+void Planes::upload(const Grid& grid, const std::vector<std::vector<V>>& values, std::size_t first) {
     resize(grid);
     if (values.empty()) return;
     if (integers_) {
-        write_elements<V, std::int32_t>(session_, now_, grid, values);
+        write_elements<V, std::int32_t>(session_, now_, grid, values, first);
     } else if (session_.is_double()) {
-        write_elements<V, double>(session_, now_, grid, values);
+        write_elements<V, double>(session_, now_, grid, values, first);
     } else {
-        write_elements<V, float>(session_, now_, grid, values);
+        write_elements<V, float>(session_, now_, grid, values, first);
     }
 }
 
 template <class V>
-std::vector<std::vector<V>> Planes::download(const Grid& grid) const {
-    if (planes_ == 0) return {};
-    if (integers_) return read_elements<V, std::int32_t>(session_, now_, grid, planes_);
-    if (session_.is_double()) return read_elements<V, double>(session_, now_, grid, planes_);
-    return read_elements<V, float>(session_, now_, grid, planes_);
+std::vector<std::vector<V>> Planes::download(const Grid& grid, std::size_t first, std::size_t count) const {
+    if (count == 0) return {};
+    if (integers_) return read_elements<V, std::int32_t>(session_, now_, grid, first, count);
+    if (session_.is_double()) return read_elements<V, double>(session_, now_, grid, first, count);
+    return read_elements<V, float>(session_, now_, grid, first, count);
 }
 
 namespace {
@@ -230,16 +232,14 @@ void Planes::download(const Grid& grid, std::size_t plane, std::vector<float>& t
 }
 
 void Planes::fill(const Grid& grid, std::size_t plane, double value) {
-    auto values = download<double>(grid);
-    std::fill(values[plane].begin(), values[plane].end(), value);
-    upload(grid, values);
+    upload(grid, std::vector<std::vector<double>>{std::vector<double>(grid.cells(), value)}, plane);
 }
 
-template void Planes::upload(const Grid&, const std::vector<std::vector<double>>&);
-template void Planes::upload(const Grid&, const std::vector<std::vector<std::int32_t>>&);
-template void Planes::upload(const Grid&, const std::vector<std::vector<std::uint32_t>>&);
-template std::vector<std::vector<double>> Planes::download(const Grid&) const;
-template std::vector<std::vector<std::int32_t>> Planes::download(const Grid&) const;
-template std::vector<std::vector<std::uint32_t>> Planes::download(const Grid&) const;
+template void Planes::upload(const Grid&, const std::vector<std::vector<double>>&, std::size_t);
+template void Planes::upload(const Grid&, const std::vector<std::vector<std::int32_t>>&, std::size_t);
+template void Planes::upload(const Grid&, const std::vector<std::vector<std::uint32_t>>&, std::size_t);
+template std::vector<std::vector<double>> Planes::download(const Grid&, std::size_t, std::size_t) const;
+template std::vector<std::vector<std::int32_t>> Planes::download(const Grid&, std::size_t, std::size_t) const;
+template std::vector<std::vector<std::uint32_t>> Planes::download(const Grid&, std::size_t, std::size_t) const;
 
 }  // namespace pelage

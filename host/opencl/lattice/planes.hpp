@@ -47,11 +47,15 @@ public:
     // Makes planes of another size out of the present ones: move(from, to) fills the second buffer from the first.
     void regrow(const Grid& after, const std::function<void(const cl::Buffer&, const cl::Buffer&)>& move);
 
-    // values[plane][cell]; double for scalars whatever the precision.
+    // values[plane][cell], of planes from `first` on; double for scalars whatever the precision.
     template <class V>
-    void upload(const Grid&, const std::vector<std::vector<V>>& values);
+    void upload(const Grid&, const std::vector<std::vector<V>>& values, std::size_t first = 0);
     template <class V>
-    std::vector<std::vector<V>> download(const Grid&) const;
+    std::vector<std::vector<V>> download(const Grid& grid) const {
+        return download<V>(grid, 0, planes_);
+    }
+    template <class V>
+    std::vector<std::vector<V>> download(const Grid&, std::size_t first, std::size_t count) const;
     void download(const Grid&, std::size_t plane, std::vector<float>& to) const;  // one of them, of scalars
     void fill(const Grid&, std::size_t plane, double value);                      // every cell of it
 

@@ -4,8 +4,12 @@
 #include "core/fields.hpp"
 #include "core/subnormal.hpp"
 #include "opencl/lattice/emit_lattice.hpp"
+#include "opencl/lattice/neighbour_counts.hpp"
 
 #include <algorithm>
+#include <numeric>
+#include <optional>
+#include <utility>
 
 namespace pelage {
 
@@ -21,80 +25,101 @@ std::vector<double> rounded(const std::vector<double>& values, bool is_double) {
     return result;
 }
 
-// How many of the `reach` places around `at` lie within `count`, itself included.
-std::size_t within(std::size_t at, std::size_t count, std::size_t reach) {
-    return std::min(at, reach) + 1 + std::min(count - 1 - at, reach);
-}
-
-std::vector<std::int32_t> count_in_volume(const Volume& volume) {
-    std::vector<std::int32_t> counts(volume.columns * volume.rows * volume.layers);
-    const bool open = volume.boundary != Boundary::no_flux;
-    for (std::size_t cell = 0; cell < counts.size(); ++cell) {
-        const std::size_t line = cell / volume.columns;
-        const std::size_t across = open ? 3 : within(cell % volume.columns, volume.columns, 1);
-        const std::size_t up = open ? 3 : within(line % volume.rows, volume.rows, 1);
-        const std::size_t deep = open ? 3 : within(line / volume.rows, volume.layers, 1);
-        const bool faces = volume.stencil == Stencil::seven_point;
-        counts[cell] = static_cast<std::int32_t>(faces ? across + up + deep - 3 : across * up * deep - 1);
-    }
-    return counts;
-}
-
 }  // namespace
 
-LatticeState::LatticeState(const Session& session, const Experiment& experiment, const LatticePlan& plan,
-                           const RuleUse& use, const Snapshot& initial)
+LatticeState::LatticeState(const Session& session, const std::vector<LatticeStart>& starts, const LatticePlan& plan,
+                           const RuleUse& use)
     : session_(session),
-      experiment_(experiment),
+      members_(starts.size()),
       plan_(plan),
       rate_planes_(rate_planes(plan)),
-      grid_{initial.columns, initial.rows * std::max<std::size_t>(initial.layers, 1)},
-      conc_(session, "concentrations", experiment.chemicals.size(), false),
-      rates_(session, "diffusion rates", own_rates(plan), false),
-      polarity_(session, "polarity", plan.polarity ? 2 : 0, false),
-      mappings_(session, "mappings", experiment.mappings.size(), false),
-      birth_(session, "birth", reads_birth(use) ? 1 : 0, true),
-      neighbours_(session, "neighbour counts", use.quantities.contains(Quantity::neighbours) ? 1 : 0, true),
-      fields_(session, "fields", experiment.fields.size(), false),
+      grid_{starts[0].state.columns, starts[0].state.rows * std::max<std::size_t>(starts[0].state.layers, 1)},
+      conc_(planes_of("concentrations", starts[0].experiment.chemicals.size())),
+      rates_(planes_of("diffusion rates", own_rates(plan))),
+      polarity_(planes_of("polarity", plan.polarity ? 2 : 0)),
+      mappings_(planes_of("mappings", starts[0].experiment.mappings.size())),
+      birth_(planes_of("birth", reads_birth(use) ? 1 : 0, true)),
+      neighbours_(planes_of("neighbour counts", use.quantities.contains(Quantity::neighbours) ? 1 : 0, true)),
+      fields_(planes_of("fields", starts[0].experiment.fields.size())),
       expander_(session),
       resampler_(session),
-      origin_x_(initial.origin_x),
-      origin_y_(initial.origin_y),
-      mirrors_(initial.mirrors) {
-    conc_.upload(grid_, initial.conc);
-    std::vector<std::vector<double>> rates;
-    for (std::size_t i = 0; i < plan.rates.size(); ++i) {
-        if (plan.rates[i] == RateKind::per_cell) rates.push_back(initial.diff[i]);
-        uniform_rates_.push_back(initial.diff[i].front());
-    }
-    rates_.upload(grid_, rates);
-    if (polarity_.planes() > 0)
-        polarity_.upload(grid_, std::vector<std::vector<double>>{initial.polarity_x, initial.polarity_y});
-    mappings_.upload(grid_, initial.mappings);
-    if (birth_.planes() > 0) birth_.upload(grid_, std::vector<std::vector<std::uint32_t>>{initial.birth});
-    if (neighbours_.planes() > 0) neighbours_.upload(grid_, std::vector<std::vector<std::int32_t>>{initial.neighbours});
-    if (polarity_.planes() == 0) {
-        kept_polarity_x_.take(rounded(initial.polarity_x, session.is_double()));
-        kept_polarity_y_.take(rounded(initial.polarity_y, session.is_double()));
-    }
-    if (birth_.planes() == 0) kept_birth_.take(initial.birth);
-    if (neighbours_.planes() == 0) kept_neighbours_.take(initial.neighbours);
-    kept_fixed_.take(initial.fixed);
-    for (std::size_t column = 0; column < grid_.columns; ++column) x_.push_back(initial.x[column]);
-    for (std::size_t row = 0; row < grid_.rows; ++row) y_.push_back(initial.y[row * grid_.columns]);
-    x_ = rounded(x_, session.is_double());
-    y_ = rounded(y_, session.is_double());
-    upload_places();
+      running_(starts.size()),
+      origin_x_(starts[0].state.origin_x),
+      origin_y_(starts[0].state.origin_y) {
+    std::iota(running_.begin(), running_.end(), 0);
+    for (std::size_t member = 0; member < starts.size(); ++member) take(member, starts[member]);
+    lay_out_places(starts[0].state);
     fields();  // what is wrong with them shows before the run
 }
 
-Planes& LatticeState::fields() {
-    if (fields_stale_) {
-        const Precision precision = session_.is_double() ? Precision::double_ : Precision::single_;
-        fields_.upload(grid_, field_values(experiment_, extent(), precision));
-        fields_stale_ = false;
+Planes LatticeState::planes_of(const std::string& what, std::size_t of_a_member, bool integers) const {
+    return {session_, what, of_a_member * members_.size(), integers};
+}
+
+void LatticeState::take(std::size_t member, const LatticeStart& start) {
+    const Snapshot& initial = start.state;
+    Member& kept = members_[member];
+    kept.experiment = &start.experiment;
+    conc_.upload(grid_, initial.conc, member * initial.conc.size());
+    std::vector<std::vector<double>> rates;
+    for (std::size_t i = 0; i < plan_.rates.size(); ++i) {
+        if (plan_.rates[i] == RateKind::per_cell) rates.push_back(initial.diff[i]);
+        kept.rates.push_back(initial.diff[i].front());
     }
+    rates_.upload(grid_, rates, member * rates.size());
+    mappings_.upload(grid_, initial.mappings, member * initial.mappings.size());
+    if (polarity_.planes() > 0) {
+        polarity_.upload(grid_, std::vector<std::vector<double>>{initial.polarity_x, initial.polarity_y}, 2 * member);
+    } else {
+        kept.kept.polarity_x.take(rounded(initial.polarity_x, session_.is_double()));
+        kept.kept.polarity_y.take(rounded(initial.polarity_y, session_.is_double()));
+    }
+    if (birth_.planes() > 0) {
+        birth_.upload(grid_, std::vector<std::vector<std::uint32_t>>{initial.birth}, member);
+    } else {
+        kept.kept.birth.take(initial.birth);
+    }
+    if (neighbours_.planes() > 0) {
+        neighbours_.upload(grid_, std::vector<std::vector<std::int32_t>>{initial.neighbours}, member);
+    } else {
+        kept.kept.neighbours.take(initial.neighbours);
+    }
+    kept.kept.fixed.take(initial.fixed);
+    kept.kept.mirrors = initial.mirrors;
+}
+
+void LatticeState::lay_out_places(const Snapshot& initial) {
+    for (std::size_t column = 0; column < grid_.columns; ++column) x_.push_back(initial.x[column]);
+    for (std::size_t row = 0; row < grid_.rows; ++row) y_.push_back(initial.y[row * grid_.columns]);
+    x_ = rounded(x_, session_.is_double());
+    y_ = rounded(y_, session_.is_double());
+    upload_places();
+}
+
+Planes& LatticeState::fields() {
+    if (!fields_stale_) return fields_;
+    const Precision precision = session_.is_double() ? Precision::double_ : Precision::single_;
+    for (std::size_t member = 0; member < members_.size(); ++member) {
+        const auto values = field_values(*members_[member].experiment, extent(), precision);
+        fields_.upload(grid_, values, member * values.size());
+    }
+    fields_stale_ = false;
     return fields_;
+}
+
+const cl::Buffer& LatticeState::running_list() {
+    if (running_list_() == nullptr)
+        running_list_ = session_.buffer(running_.size() * sizeof running_[0], "list of lattices");
+    if (running_stale_)
+        session_.queue().enqueueWriteBuffer(running_list_, CL_TRUE, 0, running_.size() * sizeof running_[0],
+                                            running_.data());
+    running_stale_ = false;
+    return running_list_;
+}
+
+void LatticeState::end(std::size_t member) {
+    std::erase(running_, static_cast<std::int32_t>(member));
+    running_stale_ = true;
 }
 
 std::size_t LatticeState::rows() const { return plan_.volume() ? grid_.rows / plan_.layers : grid_.rows; }
@@ -118,36 +143,22 @@ void LatticeState::upload_places() {
     }
 }
 
-void LatticeState::set_rate(std::size_t chemical, double rate) {
-    uniform_rates_[chemical] = session_.is_double() ? rate : double{in_precision<float>(rate)};
-    if (rate_planes_[chemical] != no_plane) rates_.fill(grid_, rate_planes_[chemical], rate);
+void LatticeState::set_rate(std::size_t chemical, double rate, std::size_t member) {
+    members_[member].rates[chemical] = session_.is_double() ? rate : double{in_precision<float>(rate)};
+    if (rate_planes_[chemical] != no_plane)
+        rates_.fill(grid_, member * own_rates(plan_) + rate_planes_[chemical], rate);
     ++rates_version_;
-}
-
-std::vector<std::int32_t> LatticeState::count_neighbours() const {
-    std::vector<std::int32_t> counts(grid_.cells());
-    if (plan_.volume()) return count_in_volume(plan_.as_volume());
-    const bool five = plan_.stencil == Stencil::five_point;
-    const auto reach = static_cast<std::size_t>(plan_.reach());
-    for (std::size_t cell = 0; cell < counts.size(); ++cell) {
-        const bool open = plan_.boundary != Boundary::no_flux;
-        const std::size_t across = open ? 2 * reach + 1 : within(cell % grid_.columns, grid_.columns, reach);
-        const std::size_t up = open ? 2 * reach + 1 : within(cell / grid_.columns, grid_.rows, reach);
-        counts[cell] = static_cast<std::int32_t>(five ? across + up - 2 : across * up - 1);
-    }
-    return counts;
 }
 
 void LatticeState::counted() {
     if (counted_) return;
     counted_ = true;
-    if (neighbours_.planes() > 0) {
-        neighbours_.upload(grid_, std::vector<std::vector<std::int32_t>>{count_neighbours()});
-    }
+    for (std::size_t member = 0; member < neighbours_.planes(); ++member)
+        neighbours_.upload(grid_, std::vector<std::vector<std::int32_t>>{neighbour_counts(plan_, grid_)}, member);
 }
 
 void LatticeState::forget_counts() {
-    if (counted_ && neighbours_.planes() == 0) kept_neighbours_.take(count_neighbours());
+    if (counted_ && neighbours_.planes() == 0) members_.front().kept.neighbours.take(neighbour_counts(plan_, grid_));
     counted_ = false;
     ++rates_version_;
 }
@@ -172,11 +183,7 @@ void LatticeState::expand(const Insertion& insertion, std::uint64_t iteration) {
                             planes == &birth_ ? std::optional(birth) : std::nullopt);
         });
     }
-    kept_polarity_x_.insert(grid_, insertion);
-    kept_polarity_y_.insert(grid_, insertion);
-    if (birth_.planes() == 0) kept_birth_.insert(grid_, insertion, birth);
-    kept_neighbours_.insert(grid_, insertion);
-    kept_fixed_.insert(grid_, insertion);
+    members_.front().kept.insert(grid_, insertion, birth_.planes() == 0 ? std::optional(birth) : std::nullopt);
     lay_out(after);
 }
 
@@ -190,49 +197,57 @@ void LatticeState::stretch(const Resampling& resampling, const std::vector<Bound
             resampler_.take_nearest(from, to, grid_, planes->planes(), planes->integers());
         });
     }
-    kept_polarity_x_.stretch(grid_, resampling);
-    kept_polarity_y_.stretch(grid_, resampling);
-    kept_birth_.stretch(grid_, resampling);
-    kept_neighbours_.stretch(grid_, resampling);
-    kept_fixed_.stretch(grid_, resampling);
+    members_.front().kept.stretch(grid_, resampling);
     lay_out(resampler_.after());
 }
 
-Snapshot LatticeState::read() const {
-    const std::size_t cells = grid_.cells();
+Snapshot LatticeState::read(std::size_t member) const {
     Snapshot state;
     state.columns = grid_.columns;
     state.rows = rows();
     state.layers = plan_.layers;
     state.origin_x = origin_x_;
     state.origin_y = origin_y_;
-    state.mirrors = mirrors_;
-    state.conc = conc_.download<double>(grid_);
-    auto rates = rates_.download<double>(grid_);
-    for (std::size_t i = 0; i < plan_.rates.size(); ++i) {
-        const bool own = rate_planes_[i] != no_plane;
-        const double rate = session_.is_double() ? uniform_rates_[i] : double{in_precision<float>(uniform_rates_[i])};
-        state.diff.push_back(own ? std::move(rates[rate_planes_[i]]) : std::vector<double>(grid_.cells(), rate));
-    }
-    state.mappings = mappings_.download<double>(grid_);
+    const std::size_t cells = grid_.cells();
     for (std::size_t cell = 0; cell < cells; ++cell) {
         state.x.push_back(x_[cell % grid_.columns]);
         state.y.push_back(y_[cell / grid_.columns]);
     }
+    const KeptCells& kept = members_[member].kept;
+    state.mirrors = kept.mirrors;
+    state.fixed = kept.fixed.of_all(cells);
+    read_planes(member, state);
+    if (polarity_.planes() == 0) {
+        state.polarity_x = kept.polarity_x.of_all(cells);
+        state.polarity_y = kept.polarity_y.of_all(cells);
+    }
+    if (birth_.planes() == 0) state.birth = kept.birth.of_all(cells);
+    if (neighbours_.planes() == 0)
+        state.neighbours = counted_ ? neighbour_counts(plan_, grid_) : kept.neighbours.of_all(cells);
+    return state;
+}
+
+void LatticeState::read_planes(std::size_t member, Snapshot& state) const {
+    const auto of = [&]<class V>(const Planes& planes, V) {
+        const std::size_t count = planes.planes() / members_.size();
+        return planes.download<V>(grid_, member * count, count);
+    };
+    state.conc = of(conc_, 0.0);
+    auto own = of(rates_, 0.0);
+    for (std::size_t i = 0; i < plan_.rates.size(); ++i) {
+        const std::size_t plane = rate_planes_[i];
+        const double uniform = members_[member].rates[i];
+        const double rate = session_.is_double() ? uniform : double{in_precision<float>(uniform)};
+        state.diff.push_back(plane != no_plane ? std::move(own[plane]) : std::vector<double>(grid_.cells(), rate));
+    }
+    state.mappings = of(mappings_, 0.0);
     if (polarity_.planes() > 0) {
-        auto polarity = polarity_.download<double>(grid_);
+        auto polarity = of(polarity_, 0.0);
         state.polarity_x = std::move(polarity[0]);
         state.polarity_y = std::move(polarity[1]);
-    } else {
-        state.polarity_x = kept_polarity_x_.of_all(cells);
-        state.polarity_y = kept_polarity_y_.of_all(cells);
     }
-    state.birth = birth_.planes() > 0 ? birth_.download<std::uint32_t>(grid_)[0] : kept_birth_.of_all(cells);
-    state.neighbours = neighbours_.planes() > 0 ? neighbours_.download<std::int32_t>(grid_)[0]
-                       : counted_               ? count_neighbours()
-                                                : kept_neighbours_.of_all(cells);
-    state.fixed = kept_fixed_.of_all(cells);
-    return state;
+    if (birth_.planes() > 0) state.birth = of(birth_, std::uint32_t{})[0];
+    if (neighbours_.planes() > 0) state.neighbours = of(neighbours_, std::int32_t{})[0];
 }
 
 }  // namespace pelage

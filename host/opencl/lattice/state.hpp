@@ -1,12 +1,13 @@
 // All that the cells of a lattice or a volume hold: on the device what kernels read or write, on the host what only has
-// to be kept.
+// to be kept. Or those of several lattices of one structure, the members of a batch (batch.hpp): all planes of the
+// first one lie before those of the second, and so on.
 #pragma once
 
 #include "core/fields.hpp"
 #include "core/lattice.hpp"
 #include "core/snapshot.hpp"
 #include "opencl/lattice/expand.hpp"
-#include "opencl/lattice/kept_field.hpp"
+#include "opencl/lattice/kept_cells.hpp"
 #include "opencl/lattice/planes.hpp"
 #include "opencl/lattice/resample.hpp"
 #include "opencl/rules/emit_rules.hpp"
@@ -16,10 +17,15 @@
 
 namespace pelage {
 
+struct LatticeStart {  // of one member
+    const Experiment& experiment;
+    const Snapshot& state;
+};
+
 class LatticeState {
 public:
-    // `use`: what any rule may need, at any time.
-    LatticeState(const Session&, const Experiment&, const LatticePlan&, const RuleUse& use, const Snapshot&);
+    // `use`: what any rule may need, at any time. The experiments are kept by reference.
+    LatticeState(const Session&, const std::vector<LatticeStart>&, const LatticePlan&, const RuleUse& use);
 
     const Grid& grid() const { return grid_; }  // the rows of a volume are those of all its layers, one after another
     std::size_t rows() const;                   // of a lattice, or of one layer
@@ -35,8 +41,12 @@ public:
     Planes& fields();                                     // Experiment::fields, of the present size
     const cl::Buffer& places() const { return places_; }  // x of columns, padded to a pitch, then y of rows
 
-    double uniform_rate(std::size_t chemical) const { return uniform_rates_[chemical]; }
-    void set_rate(std::size_t chemical, double rate);  // of every cell
+    const std::vector<double>& uniform_rates(std::size_t member = 0) const { return members_[member].rates; }
+    void set_rate(std::size_t chemical, double rate, std::size_t member = 0);  // of every cell
+
+    std::size_t running() const { return running_.size(); }  // members that are not ended
+    const cl::Buffer& running_list();                        // their numbers
+    void end(std::size_t member);                            // no step is carried out for it any more
 
     // Another one whenever rates or polarity have been changed other than by rules; never 0.
     std::uint64_t rates_version() const { return rates_version_; }
@@ -45,19 +55,30 @@ public:
     // its place.
     void counted();
 
+    // Of one lattice alone.
     void expand(const Insertion&, std::uint64_t iteration);
     void stretch(const Resampling&, const std::vector<Bounds>&);  // bounds: one a chemical
-    Snapshot read() const;
+
+    Snapshot read(std::size_t member = 0) const;
 
 private:
+    struct Member {
+        const Experiment* experiment = nullptr;
+        std::vector<double> rates;  // one a chemical, where it is that of every cell
+        KeptCells kept;
+    };
+
+    Planes planes_of(const std::string& what, std::size_t of_a_member, bool integers = false) const;
+    void take(std::size_t member, const LatticeStart&);
+    void lay_out_places(const Snapshot&);
+    void read_planes(std::size_t member, Snapshot&) const;
     Extent extent() const;
     void forget_counts();  // before a change of size
     void lay_out(const Grid&);
     void upload_places();
-    std::vector<std::int32_t> count_neighbours() const;
 
     const Session& session_;
-    const Experiment& experiment_;
+    std::vector<Member> members_;
     LatticePlan plan_;
     std::vector<std::size_t> rate_planes_;
     Grid grid_;
@@ -73,17 +94,13 @@ private:
     PlaneResampler resampler_;
     cl::Buffer places_;
     std::size_t places_capacity_ = 0;
-    std::vector<double> uniform_rates_;
+    std::vector<std::int32_t> running_;
+    cl::Buffer running_list_;
+    bool running_stale_ = true;
     bool counted_ = false;
     std::uint64_t rates_version_ = 1;
-    // What is not on the device; of x and y the first row and column.
-    std::vector<double> x_, y_;
+    std::vector<double> x_, y_;  // of the first row and column
     double origin_x_, origin_y_;
-    KeptField<double> kept_polarity_x_, kept_polarity_y_;
-    KeptField<std::uint32_t> kept_birth_;
-    KeptField<std::int32_t> kept_neighbours_;
-    KeptField<std::uint8_t> kept_fixed_;
-    decltype(Snapshot::mirrors) mirrors_;
 };
 
 }  // namespace pelage

@@ -54,6 +54,15 @@ LaunchShape shared_shape(const DeviceInfo& device, const Grid& grid, std::uint64
 
 }  // namespace
 
+LaunchShape batch_shape(const Grid& grid, std::uint64_t count, std::size_t lattices_a_thread) {
+    LaunchShape shape;
+    shape.band = grid.rows;
+    const std::size_t most = cells_a_launch / (grid.cells() * lattices_a_thread);
+    shape.steps =
+        static_cast<std::size_t>(std::min<std::uint64_t>(std::clamp<std::size_t>(most, 1, steps_a_launch), count));
+    return shape;
+}
+
 LaunchShape launch_shape(const DeviceInfo& device, const Choice& choice, const Grid& grid, std::uint64_t count,
                          std::size_t reach) {
     LaunchShape shape;
@@ -88,7 +97,7 @@ LatticeStep::LatticeStep(const Session& session, const Experiment& experiment, c
     writes_polarity_ = !rules.use.polarizes.empty();
     const std::string source =
         lattice_source(experiment, plan, rules, bounded_chemicals(experiment), session.options().precision,
-                       choice_.width, choice_.path == Path::shared, means_ != nullptr);
+                       choice_.width, choice_.path == Path::shared, means_ != nullptr, choice_.cut.batch);
     kernel_ = cl::Kernel(session.build(source, rule_options(session)), "pelage_lattice_step");
 }
 
@@ -107,15 +116,24 @@ void LatticeStep::set_arguments(LatticeState& state, const cl::Buffer& parameter
                   static_cast<cl_uint>(seed_ >> 32));
     if (choice_.path == Path::shared) shared_.prepare(arguments, shape.bands, steps);
     if (means_) arguments.add(means_->of(state));
+    if (choice_.cut.batch) arguments.add(state.running_list());
+}
+
+LaunchShape LatticeStep::next_shape(const LatticeState& state, std::uint64_t count) const {
+    const DeviceInfo& device = session_.info();
+    if (choice_.cut.batch && device.processor() && choice_.cut.group == 1)
+        return batch_shape(state.grid(), count, divided(state.running(), device.running_units()));
+    return launch_shape(device, choice_, state.grid(), count, reach_);
 }
 
 void LatticeStep::enqueue(LatticeState& state, const cl::Buffer& parameters, std::uint64_t first, std::uint64_t count,
                           Pace& pace) {
     for (std::uint64_t done = 0; done < count;) {
-        const LaunchShape shape = launch_shape(session_.info(), choice_, state.grid(), count - done, reach_);
+        const LaunchShape shape = next_shape(state, count - done);
         const std::uint64_t steps = std::min<std::uint64_t>(shape.steps, count - done);
         set_arguments(state, parameters, shape, first + done, steps);
-        session_.launch(kernel_, cl::NDRange(shape.across, shape.bands), cl::NDRange(shape.work_group, 1));
+        session_.launch(kernel_, cl::NDRange(shape.across, shape.bands, state.running()),
+                        cl::NDRange(shape.work_group, 1, 1));
         pace.launched();
         done += steps;
         if (steps % 2 == 0) continue;  // an even number of steps ends where it began

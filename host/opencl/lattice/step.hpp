@@ -30,7 +30,10 @@ struct LaunchShape {
 // come. `reach`: rows up or down that a cell is looked at from.
 LaunchShape launch_shape(const DeviceInfo&, const Choice&, const Grid&, std::uint64_t count, std::size_t reach);
 
-// Carries out iterations of a lattice under one set of active rules.
+// Of a batch on a processor: a work-item has a lattice to itself, so that none waits for another.
+LaunchShape batch_shape(const Grid&, std::uint64_t count, std::size_t lattices_a_thread);
+
+// Carries out iterations of a lattice, or of a batch, under one set of active rules.
 class LatticeKernel {
 public:
     virtual ~LatticeKernel() = default;
@@ -52,6 +55,7 @@ public:
 private:
     void set_arguments(LatticeState&, const cl::Buffer& parameters, const LaunchShape&, std::uint64_t first,
                        std::uint64_t steps);
+    LaunchShape next_shape(const LatticeState&, std::uint64_t count) const;
 
     const Session& session_;
     Choice choice_;

@@ -3,14 +3,13 @@
 
 #include "core/growable.hpp"
 #include "core/schedule.hpp"
-#include "core/subnormal.hpp"
 #include "opencl/device/cl_error.hpp"
 #include "opencl/device/launch.hpp"
 #include "opencl/device/program.hpp"
 #include "opencl/lattice/choice.hpp"
-#include "opencl/lattice/emit_lattice.hpp"
 #include "opencl/lattice/means.hpp"
 #include "opencl/lattice/non_finite.hpp"
+#include "opencl/lattice/phase_numbers.hpp"
 #include "opencl/lattice/state.hpp"
 #include "opencl/lattice/step.hpp"
 #include "opencl/lattice/stream.hpp"
@@ -26,25 +25,6 @@
 namespace pelage {
 
 namespace {
-
-// In the order of LatticeParameter.
-template <class T>
-std::vector<KernelNumber> phase_parameters(const Experiment& experiment, const LatticePlan& plan,
-                                           const LatticeState& state, const Phase& phase) {
-    const T dt = in_precision<T>(phase.time_step);
-    std::vector<KernelNumber> values(parameter_place(experiment.chemicals.size(), LatticeParameter::floor), double{dt});
-    values[time_start_place] = experiment.time_at(phase.begin);
-    values[time_begin_place] = static_cast<std::uint32_t>(phase.begin);
-    for (std::size_t i = 0; i < experiment.chemicals.size(); ++i) {
-        const auto put = [&](LatticeParameter what, T value) { values[parameter_place(i, what)] = double{value}; };
-        const T rate = in_precision<T>(state.uniform_rate(i));
-        put(LatticeParameter::floor, in_precision<T>(phase.bounds[i].floor));
-        put(LatticeParameter::limit, in_precision<T>(phase.bounds[i].limit));
-        put(LatticeParameter::rate, rate);
-        put(LatticeParameter::share, (rate * dt) / static_cast<T>(stencil_divisor(plan.stencil)));
-    }
-    return values;
-}
 
 class OpenclLattice final : public Growable {
 public:
@@ -114,7 +94,8 @@ private:
             const LatticePlan plan = lattice_plan(experiment(), snapshot);
             const std::vector<bool> every(experiment().rules.size(), true);
             every_use_ = emit_rules(experiment(), every, session_->options().precision).use;
-            state_ = std::make_unique<LatticeState>(*session_, experiment(), plan, every_use_, snapshot);
+            state_ = std::make_unique<LatticeState>(*session_, std::vector<LatticeStart>{{experiment(), snapshot}},
+                                                    plan, every_use_);
             if (plan.rates != plan_.rates || plan.polarity != plan_.polarity ||
                 plan.layers != plan_.layers) {  // all else is the experiment's
                 steps_.clear();
@@ -223,13 +204,8 @@ private:
 
     void upload_parameters(const Phase& phase) {
         const Precision precision = session_->options().precision;
-        std::vector<KernelNumber> values;
-        if (session_->is_double()) {
-            values = phase_parameters<double>(experiment(), plan_, *state_, phase);
-        } else {
-            const SubnormalsAreZero scope;
-            values = phase_parameters<float>(experiment(), plan_, *state_, phase);
-        }
+        std::vector<KernelNumber> values =
+            phase_numbers(experiment(), plan_, state_->uniform_rates(), phase, precision);
         if (rule_parameters_.empty()) rule_parameters_ = rule_parameters(experiment(), precision);
         values.insert(values.end(), rule_parameters_.begin(), rule_parameters_.end());
         const std::vector<std::uint32_t> words = parameter_words(values, precision);
