@@ -78,6 +78,12 @@ void add_machine(CLI::App& command, SweepOptions& options) {
             "on a processor; else 1")
         ->type_name("N")
         ->transform(whole_number(1, 256));
+    command
+        .add_option("--batch", options.batch,
+                    "Tiles of one structure that run together, in the same launches. Default: on a GPU as many as fill "
+                    "it, else 1")
+        ->type_name("N")
+        ->transform(whole_number(1, sweep::largest_tile_count));
     command.add_flag("--no-self-test", options.run.no_self_test, "Leave out the test in small that comes before");
 }
 

@@ -8,6 +8,7 @@
 #include "sweep/share.hpp"
 
 #include <cstddef>
+#include <cstdint>
 #include <memory>
 #include <thread>
 #include <vector>
@@ -22,13 +23,22 @@ std::vector<Machine> sweep_machines(const RunOptions&, const Experiment&, const 
 struct Crew {
     Machine& machine;
     Precision precision;
-    std::size_t jobs;    // tiles at one time
+    std::size_t jobs;    // threads that run tiles
     bool whole_machine;  // one tile takes all of it; else each has one processor
+    std::size_t batch;   // tiles that a thread takes at one time
 };
 
-// Tiles of so many cells, of which small ones on processors run side by side, each on one of them: strips that wait for
-// each other would cost more. The ranks of one machine share its processors.
-Crew crew(Machine&, const SweepOptions&, double cells, std::size_t tiles, const cluster::Ranks*);
+// What is the same for all tiles: of the first one.
+struct TileSize {
+    Footprint footprint;
+    std::uint64_t last = 0;  // iteration
+    std::size_t tiles = 0;
+};
+
+// Small tiles on processors run side by side, each on one of them: strips that wait for each other would cost more.
+// Small ones on a card run in batches, too. The ranks of one machine share its processors. Throws Error where batches
+// are asked of the reference.
+Crew crew(Machine&, const SweepOptions&, const TileSize&, const cluster::Ranks*);
 
 // They run until the share has no further tile; what goes wrong in one ends all. The end of the object waits for them.
 class Workers {

@@ -66,6 +66,7 @@ public:
         const Footprint needed = footprint(first_, last_, options_.run.precision, false);
         check_cells(first_, needed);
         std::vector<Machine> machines = sweep_machines(options_.run, first_, needed, ranks_);
+        crews_of(machines);  // what they cannot do is said before anything is written
         for (const Machine& machine : machines) {
             check_host_memory(first_, needed, worked(machine), usable_memory());
             if (!trusted(machine)) return {};
@@ -104,7 +105,7 @@ public:
     }
 
     // Makes the folder, or takes one that holds the same sweep. While the lock lives, no other sweep can.
-    std::unique_ptr<FolderLock> claim(const std::vector<Machine>& machines) {
+    std::unique_ptr<FolderLock> claim(std::vector<Machine>& machines) {
         prepare_folder(folder_ / "tiles");
         auto lock = std::make_unique<FolderLock>(folder_);
         mark();
@@ -115,10 +116,9 @@ public:
 
 private:
     std::vector<Crew> crews_of(std::vector<Machine>& machines) const {
-        const double cells = footprint(first_, last_, options_.run.precision, false).cells;
+        const TileSize size{footprint(first_, last_, options_.run.precision, false), last_, design_.points.size()};
         std::vector<Crew> crews;
-        for (Machine& machine : machines)
-            crews.push_back(crew(machine, options_, cells, design_.points.size(), ranks_));
+        for (Machine& machine : machines) crews.push_back(crew(machine, options_, size, ranks_));
         return crews;
     }
 
@@ -164,13 +164,16 @@ private:
                         folder_.string()));
     }
 
-    void announce(const std::vector<Machine>& machines) const {
+    void announce(std::vector<Machine>& machines) const {
         if (options_.run.quiet) return;
         say(stderr, "{}: {}, {} each\n", first_.source, counted(design_.points.size(), "tile"),
             counted(last_, "iteration"));
-        for (const Machine& machine : machines)
-            say(stderr, "backend: {} ({}), {}\n", machine.kind, machine.device,
-                options_.run.precision == Precision::double_ ? "double" : "float");
+        for (const Crew& crew : crews_of(machines)) {
+            const std::string together =
+                crew.batch > 1 ? fmt::format(", up to {} tiles of one structure together", grouped(crew.batch)) : "";
+            say(stderr, "backend: {} ({}), {}{}\n", crew.machine.kind, crew.machine.device,
+                options_.run.precision == Precision::double_ ? "double" : "float", together);
+        }
         std::size_t there = 0;
         for (std::size_t tile = 0; tile < design_.points.size(); ++tile) there += taken_up(tile) ? 1 : 0;
         if (there > 0)

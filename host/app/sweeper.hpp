@@ -23,7 +23,8 @@ struct SweepOptions {
     std::string sheet = "png";
     std::size_t across =
         0;  // tiles of a design without axes side by side in the sheet; 0: about as many as one upon another
-    std::size_t jobs = 0;  // tiles at one time; 0: as many as processors, where tiles are small and run on them
+    std::size_t jobs = 0;   // tiles at one time; 0: as many as processors, where tiles are small and run on them
+    std::size_t batch = 0;  // tiles of one launch; 0: ours to choose
 };
 
 // Returns the exit code. Throws Error when the sweep cannot begin or its results cannot be written.

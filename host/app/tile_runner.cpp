@@ -16,6 +16,7 @@
 #include <algorithm>
 #include <chrono>
 #include <string_view>
+#include <utility>
 
 namespace pelage::app {
 
@@ -65,34 +66,56 @@ std::uint64_t TileRunner::last_iteration(const Experiment& experiment) const {
     return options_.run.iterations.value_or(experiment.last_iteration());
 }
 
+std::string TileRunner::name_of(std::size_t tile) const {
+    std::string where;
+    for (const Setting& one : design_.points[tile].settings) where += fmt::format(" {}={}", one.name, one.value);
+    return fmt::format("tile {}{}", tile, where.empty() ? "" : fmt::format(" ({})", where.substr(1)));
+}
+
 std::optional<std::string> TileRunner::run(Backend& backend, std::size_t tile) const {
+    return run(backend, ready(tile));
+}
+
+TileRunner::Ready TileRunner::ready(std::size_t tile) const {
     try {
-        return carry_out(backend, tile);
+        Ready ready;
+        ready.tile = tile;
+        ready.experiment = std::make_shared<const Experiment>(experiment(tile));
+        ready.initial = initial_state(*ready.experiment, options_.run.precision);
+        ready.unstable = !options_.run.force && find_instability(*ready.experiment, ready.initial).has_value();
+        return ready;
     } catch (const Error& error) {
-        std::string where;
-        for (const Setting& one : design_.points[tile].settings) where += fmt::format(" {}={}", one.name, one.value);
-        if (!where.empty()) where = fmt::format(" ({})", where.substr(1));
-        throw Error(fmt::format("tile {}{}: {}", tile, where, error.what()));
+        throw Error(fmt::format("{}: {}", name_of(tile), error.what()));
     }
 }
 
-std::optional<std::string> TileRunner::carry_out(Backend& backend, std::size_t tile) const {
+sweep::TileOptions TileRunner::course(const Ready& ready) const {
+    return {last_iteration(*ready.experiment), steady_, Interrupt::came};
+}
+
+std::optional<std::string> TileRunner::run(Backend& backend, const Ready& ready) const {
     const auto start = std::chrono::steady_clock::now();
-    const Experiment experiment = this->experiment(tile);
-    const Snapshot initial = initial_state(experiment, options_.run.precision);
-    std::optional<sweep::TileResult> result;
-    if (!options_.run.force && find_instability(experiment, initial)) {
-        result.emplace();
-        result->verdict = stats::Verdict::unstable;
-    } else {
-        const auto tissue = backend.make_tissue(experiment, initial);
-        result = sweep::run_tile(*tissue, experiment, {last_iteration(experiment), steady_, Interrupt::came});
-        if (!result) return std::nullopt;
-        keep(experiment, tile, result->state);
+    try {
+        std::optional<sweep::TileResult> result;
+        if (!ready.unstable) {
+            const auto tissue = backend.make_tissue(*ready.experiment, ready.initial);
+            result = sweep::run_tile(*tissue, *ready.experiment, course(ready));
+            if (!result) return std::nullopt;
+        }
+        const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+        return row(ready, std::move(result).value_or(sweep::TileResult{}), seconds);
+    } catch (const Error& error) {
+        throw Error(fmt::format("{}: {}", name_of(ready.tile), error.what()));
     }
-    result->of = sweep::measured(experiment);
-    const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-    return table_.row(tile, design_.points[tile], experiment.run_seed(), *result, seconds);
+}
+
+std::string TileRunner::row(const Ready& ready, sweep::TileResult result, double seconds) const {
+    if (ready.unstable)
+        result.verdict = stats::Verdict::unstable;
+    else
+        keep(*ready.experiment, ready.tile, result.state);
+    result.of = sweep::measured(*ready.experiment);
+    return table_.row(ready.tile, design_.points[ready.tile], ready.experiment->run_seed(), result, seconds);
 }
 
 bool TileRunner::has_files(std::size_t tile) const {

@@ -7,9 +7,11 @@
 #include "core/tissue.hpp"
 #include "io/npy.hpp"
 #include "sweep/table.hpp"
+#include "sweep/tile.hpp"
 
 #include <cstddef>
 #include <filesystem>
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
@@ -28,6 +30,19 @@ public:
     // Runs it, writes its files and returns its row; empty: interrupted. Any thread.
     std::optional<std::string> run(Backend&, std::size_t tile) const;
 
+    // The same in parts, for tiles that are run together.
+    struct Ready {
+        std::size_t tile = 0;
+        std::shared_ptr<const Experiment> experiment;
+        Snapshot initial;
+        bool unstable = false;  // known before: it is not run
+    };
+    Ready ready(std::size_t tile) const;
+    std::optional<std::string> run(Backend&, const Ready&) const;
+    sweep::TileOptions course(const Ready&) const;
+    // Writes the files of a tile that has run, and returns its row.
+    std::string row(const Ready&, sweep::TileResult, double seconds) const;
+
     // Whether the files that the sheet and --format want are there; of arrays nothing is known here.
     bool has_files(std::size_t tile) const;
     // What the sheet shows of it; empty where it is not there, or damaged.
@@ -35,7 +50,8 @@ public:
 
 private:
     std::filesystem::path values_of(std::size_t tile) const;
-    std::optional<std::string> carry_out(Backend&, std::size_t tile) const;
+    // For messages: "tile 3 (K=0.05)".
+    std::string name_of(std::size_t tile) const;
     Experiment read(const std::vector<Setting>&, const sweep::Point&) const;
     void keep(const Experiment&, std::size_t tile, const Snapshot&) const;
 

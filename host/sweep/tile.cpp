@@ -10,6 +10,7 @@
 #include <algorithm>
 #include <bit>
 #include <cmath>
+#include <map>
 #include <set>
 #include <span>
 #include <utility>
@@ -26,26 +27,53 @@ std::set<std::uint64_t> moments(std::uint64_t last, std::uint64_t parts) {
     return all;
 }
 
+bool finite(const std::vector<double>& values) {
+    return std::ranges::all_of(values, [](double value) { return std::isfinite(value); });
+}
+
+// Sees the states of a tile and says at which iteration it wants the next one.
 class Watch {
 public:
-    Watch(Tissue& tissue, const Experiment& experiment, const TileOptions& options)
-        : tissue_(tissue),
-          experiment_(experiment),
-          options_(options),
-          checks_(moments(options.last, options.steady ? 100 : 20)) {
+    Watch(const Experiment& experiment, const TileOptions& options)
+        : experiment_(experiment), options_(options), checks_(moments(options.last, options.steady ? 100 : 20)) {
         for (std::uint64_t i = 0; i < 8; ++i) ends_.insert(options.last - options.last * i / 80);
     }
 
-    std::optional<TileResult> carry_out() {
-        look();
-        while (tissue_.iteration() < options_.last && !steady_) {
-            if (options_.interrupted()) return std::nullopt;
-            tissue_.advance(next() - tissue_.iteration());
-            if (tissue_.non_finite()) return broken();
-            look();
-            if (strange_) return broken();
+    void look(Snapshot state) {
+        state_ = std::move(state);
+        strange_ = now() > 0 && !std::ranges::all_of(state_.conc, finite);
+        if (strange_) return;
+        std::vector<double> values = shown(experiment_, state_);
+        strange_ = !finite(values);
+        if (strange_) return;
+        values.resize(state_.cells());  // of `rgb` the reds
+        for (const double value : values) largest_ = std::max(largest_, std::fabs(value));
+        if (checks_.contains(now()) || now() == 0) compare(values);
+        if (ends_.contains(now()) || steady_) {
+            if (followed_ != values.size()) course_ = {};
+            followed_ = values.size();
+            course_.show(grid(values));
         }
-        return strange_ ? broken() : finished();
+    }
+
+    bool ended() const { return now() >= options_.last || steady_ || (strange_ && now() > 0); }
+
+    std::uint64_t next() const {
+        std::uint64_t stop = options_.last;
+        for (const auto* all : {&checks_, &ends_}) {
+            const auto at = all->upper_bound(now());
+            if (at != all->end()) stop = std::min(stop, *at);
+        }
+        return stop;
+    }
+
+    // The watch has nothing to see any more.
+    TileResult result() {
+        TileResult result = strange_ ? broken() : finished();
+        result.iterations = now();
+        result.hash = hash_of(state_);
+        result.state = std::move(state_);
+        return result;
     }
 
 private:
@@ -53,42 +81,19 @@ private:
         return {values, state_.columns, state_.rows, wraps(experiment_)};
     }
 
-    std::uint64_t next() const {
-        const std::uint64_t now = tissue_.iteration();
-        std::uint64_t stop = options_.last;
-        for (const auto* all : {&checks_, &ends_}) {
-            const auto at = all->upper_bound(now);
-            if (at != all->end()) stop = std::min(stop, *at);
-        }
-        return stop;
-    }
+    std::uint64_t now() const { return state_.iteration; }
 
-    void look() {
-        const std::uint64_t now = tissue_.iteration();
-        state_ = tissue_.read();
-        std::vector<double> values = shown(experiment_, state_);
-        strange_ = !std::ranges::all_of(values, [](double value) { return std::isfinite(value); });
-        if (strange_) return;
-        values.resize(state_.cells());  // of `rgb` the reds
-        for (const double value : values) largest_ = std::max(largest_, std::fabs(value));
-        if (checks_.contains(now) || now == 0) {
-            const double changed = before_.size() == values.size() ? stats::change(grid(before_), grid(values)) : 1.0;
-            if (changed > 1e-3) settled_.reset();
-            if (changed <= 1e-3 && !settled_ && now > 0) settled_ = before_at_;
-            if (options_.steady && now > 0 && changed <= *options_.steady) steady_ = true;
-            before_ = values;
-            before_at_ = now;
-        }
-        if (ends_.contains(now) || steady_) {
-            if (followed_ != values.size()) course_ = {};
-            followed_ = values.size();
-            course_.show(grid(values));
-        }
+    void compare(const std::vector<double>& values) {
+        const double changed = before_.size() == values.size() ? stats::change(grid(before_), grid(values)) : 1.0;
+        if (changed > 1e-3) settled_.reset();
+        if (changed <= 1e-3 && !settled_ && now() > 0) settled_ = before_at_;
+        if (options_.steady && now() > 0 && changed <= *options_.steady) steady_ = true;
+        before_ = values;
+        before_at_ = now();
     }
 
     TileResult finished() {
         TileResult result;
-        result.iterations = tissue_.iteration();
         result.settled = settled_;
         std::vector<double> values = shown(experiment_, state_);
         values.resize(state_.cells());
@@ -101,21 +106,15 @@ private:
             result.verdict = flat      ? stats::Verdict::uniform
                              : steady_ ? stats::Verdict::stationary
                                        : stats::Verdict::undecided;
-        result.hash = hash_of(state_);
-        result.state = std::move(state_);
         return result;
     }
 
-    TileResult broken() {
+    TileResult broken() const {
         TileResult result;
-        result.iterations = tissue_.iteration();
         result.verdict = stats::Verdict::not_a_number;
-        result.state = tissue_.read();
-        result.hash = hash_of(result.state);
         return result;
     }
 
-    Tissue& tissue_;
     const Experiment& experiment_;
     const TileOptions& options_;
     std::set<std::uint64_t> checks_, ends_;
@@ -126,7 +125,7 @@ private:
     stats::Course course_;
     std::size_t followed_ = 0;
     bool steady_ = false;
-    bool strange_ = false;  // what is shown has NaNs or infinities
+    bool strange_ = false;  // the state, or what is shown of it, has NaNs or infinities
     double largest_ = 0.0;  // of all values seen
 };
 
@@ -159,7 +158,37 @@ std::string hash_of(const Snapshot& state) {
 }
 
 std::optional<TileResult> run_tile(Tissue& tissue, const Experiment& experiment, const TileOptions& options) {
-    return Watch(tissue, experiment, options).carry_out();
+    Watch watch(experiment, options);
+    watch.look(tissue.read());
+    while (!watch.ended()) {
+        if (options.interrupted()) return std::nullopt;
+        tissue.advance(watch.next() - tissue.iteration());
+        watch.look(tissue.read());
+    }
+    return watch.result();
+}
+
+bool run_tiles(Batch& batch, const std::vector<const Experiment*>& experiments, const TileOptions& options,
+               const std::function<void(std::size_t member, TileResult)>& finished) {
+    std::map<std::size_t, Watch> watches;
+    for (std::size_t member = 0; member < experiments.size(); ++member)
+        watches.try_emplace(member, *experiments[member], options);
+    for (;;) {
+        for (auto at = watches.begin(); at != watches.end();) {
+            Watch& watch = at->second;
+            watch.look(batch.read(at->first));
+            if (!watch.ended()) {
+                ++at;
+                continue;
+            }
+            batch.end(at->first);
+            finished(at->first, watch.result());
+            at = watches.erase(at);
+        }
+        if (watches.empty()) return true;
+        if (options.interrupted()) return false;
+        batch.advance(watches.begin()->second.next() - batch.iteration());
+    }
 }
 
 void check_measurable(const Experiment& experiment) {

@@ -1,6 +1,7 @@
 // One tile of a sweep: a run, and what is measured of it.
 #pragma once
 
+#include "core/batch.hpp"
 #include "core/experiment.hpp"
 #include "core/snapshot.hpp"
 #include "core/tissue.hpp"
@@ -11,6 +12,7 @@
 #include <functional>
 #include <optional>
 #include <string>
+#include <vector>
 
 namespace pelage::sweep {
 
@@ -43,6 +45,11 @@ std::string hash_of(const Snapshot&);
 // Empty: it was interrupted. The tissue is at iteration 0. What is shown is measured at twenty moments, and in the last
 // tenth at eight more for the verdict; reading changes no bit.
 std::optional<TileResult> run_tile(Tissue&, const Experiment&, const TileOptions&);
+
+// The same of every member of a batch; `finished` is told of each when it ends, some earlier than others. False: it was
+// interrupted.
+bool run_tiles(Batch&, const std::vector<const Experiment*>&, const TileOptions&,
+               const std::function<void(std::size_t member, TileResult)>& finished);
 
 // Throws Error for free cells, which have no rows and columns to measure in.
 void check_measurable(const Experiment&);

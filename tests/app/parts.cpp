@@ -4,6 +4,7 @@
 #include "app/memory.hpp"
 #include "app/progress.hpp"
 #include "app/run_options.hpp"
+#include "app/tile_batches.hpp"
 #include "app/timetable.hpp"
 #include "language/parse.hpp"
 #include "reference/backend.hpp"
@@ -152,6 +153,22 @@ TEST_CASE("the memory a run needs counts its growth") {
                       Catch::Contains("532 cells"));
     CHECK(why_not_on_device(late, late.device).empty());
     CHECK_THAT(why_not_on_device(late, late.device / 2), Catch::Contains("on the device"));
+}
+
+TEST_CASE("tiles of a batch fill a card, leave some to the other threads, and end soon enough") {
+    pelage::app::Footprint tile;
+    tile.cells = 64 * 64;
+    tile.a_snapshot = 100;
+    constexpr double plenty = 1e12;
+    CHECK(tiles_a_batch(tile, 5000, 100'000, 8, plenty) == (1 << 20) / (64 * 64));
+    CHECK(tiles_a_batch(tile, 5000, 192, 8, plenty) == 24);
+    CHECK(tiles_a_batch(tile, 5000, 190, 8, plenty) == 24);
+    CHECK(tiles_a_batch(tile, 5000, 3, 8, plenty) == 1);
+    CHECK(tiles_a_batch(tile, 24'000'000, 100'000, 8, plenty) == 10);
+    CHECK(tiles_a_batch(tile, 4'000'000'000, 100'000, 8, plenty) == 1);
+    CHECK(tiles_a_batch(tile, 0, 100'000, 1, plenty) == 256);
+    CHECK(tiles_a_batch(tile, 5000, 100'000, 1, 100 * 4 * 4 * 4096 * 10) == 10);
+    CHECK(tiles_a_batch(tile, 5000, 100'000, 1, 1) == 1);
 }
 
 TEST_CASE("the guard finds the very iteration however long the batch was") {

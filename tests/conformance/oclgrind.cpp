@@ -4,6 +4,11 @@
 
 #include <catch2/catch.hpp>
 
+#include <sstream>
+#include <string>
+#include <utility>
+#include <vector>
+
 using Catch::Contains;
 using namespace test;
 
@@ -92,6 +97,30 @@ TEST_CASE("Oclgrind finds nothing in reactions, rules and bounds") {
 
 TEST_CASE("Oclgrind finds nothing in fused iterations and in growth") {
     nothing_to_report({"streamed/growth", "shared/growth", "laws/projection"});
+}
+
+TEST_CASE("Oclgrind finds nothing in batches, and takes tiles of a sweep in batches unasked, as any GPU") {
+    nothing_to_report({"batch/rules/draws"});
+    if (oclgrind_missing()) return;
+    const Folder folder;
+    const std::string file =
+        folder.write("map.pex",
+                     "define parameter d 0.1\ndefine chemical U\nuse seed 3\nuse chemical U conc 1 dev 0.5 diff d\n"
+                     "create matrix 12 9 wrap\nstop at 20\noutput U\n");
+    const auto swept = [&](const std::string& out, const std::vector<std::string>& how) {
+        std::vector<std::string> words{"sweep", file, "--vary", "d=0.1:0.3:4", "--jobs", "1", "--out", folder / out};
+        words.insert(words.end(), how.begin(), how.end());
+        const Outcome outcome = command(words, under_oclgrind());
+        INFO(outcome.err);
+        REQUIRE(outcome.exit_code == 0);
+        std::string table;
+        std::istringstream lines(read_all(folder / (out + "/sweep.csv")));
+        for (std::string line; std::getline(lines, line);) table += line.substr(0, line.rfind(',')) + "\n";
+        return std::pair(table, outcome.err);
+    };
+    const auto [table, said] = swept("device", {"--backend", "opencl", "--no-self-test"});
+    CHECK_THAT(said, Contains("up to 4 tiles of one structure together"));
+    CHECK(table == swept("reference", {"--backend", "reference"}).first);
 }
 
 TEST_CASE("Oclgrind finds nothing in the steps of free cells") { nothing_to_report({"cells/turing", "not-finite"}); }
