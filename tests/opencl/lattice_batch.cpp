@@ -128,6 +128,40 @@ TEST_CASE("batch: lattices drawn at random from the whole language run alike tog
     }
 }
 
+TEST_CASE("batch: fields, mappings, births and counts are each lattice's own") {
+    const std::string text =
+        "define chemical U\ndefine chemical V\ndefine field spots blobs 9 sigma 2\ndefine field noise (RANDOM)\n"
+        "use chemical U conc 1 dev 0.5 diff 0.1\nuse chemical V conc 1\ncreate matrix 33 18\n"
+        "rule always map U conc 0 2 to M 0 1\nrule if M > 0.4 change V conc 0.125\n"
+        "rule always react V by (spots - noise * V)\nrule if AGE > 5 change V conc 0.25\n"
+        "rule if NEIGHBORS == 5 change V conc 0.5\nstop at 20\n";
+    const Path path = GENERATE(Path::step, Path::tiled);
+    std::vector<BatchStart> starts;
+    for (std::int64_t nth = 0; nth < 4; ++nth) {
+        Experiment experiment = parse_experiment(text, "own.pex", "");
+        experiment.seed = 50 + nth;
+        starts.push_back(start_of(std::move(experiment)));
+        Snapshot& state = starts.back().state;
+        state.iteration = 3;
+        for (std::size_t cell = 0; cell < state.cells(); ++cell) {
+            state.birth[cell] = static_cast<std::uint32_t>((cell + static_cast<std::size_t>(nth)) % 4);
+            state.neighbours[cell] = static_cast<std::int32_t>((cell + 2 * static_cast<std::size_t>(nth)) % 9);
+        }
+    }
+    const auto batch = opencl_backend(by(path))->make_batch(starts);
+    std::vector<std::unique_ptr<Tissue>> alone;
+    for (const BatchStart& start : starts)
+        alone.push_back(reference_backend(Precision::single_)->make_tissue(*start.experiment, start.state));
+    for (const std::uint64_t part : {1, 1, 9}) {
+        batch->advance(part);
+        for (std::size_t nth = 0; nth < starts.size(); ++nth) {
+            INFO("lattice " << nth);
+            alone[nth]->advance(part);
+            require_equal(alone[nth]->read(), batch->read(nth));
+        }
+    }
+}
+
 TEST_CASE("batch: NaNs of one lattice stay its own") {
     std::vector<BatchStart> starts;
     for (std::size_t nth = 0; nth < 3; ++nth) starts.push_back(start_of(busy(20, 20, Boundary::wrap)));
