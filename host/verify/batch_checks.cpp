@@ -21,7 +21,7 @@ namespace pelage::verify {
 namespace {
 
 constexpr Size batch_size{37, 26}, small_batch_size{19, 11};
-constexpr std::array<std::string_view, 2> quick_batches{"rules/draws/fused", "rates/uneven/nine-point/no-flux"};
+constexpr std::array<std::string_view, 2> quick_batches{"rules/draws/fused", "rates/polarized/five-point/absorbing"};
 constexpr std::size_t batch_members = 5, leaves_early = 1;
 constexpr std::array<std::uint64_t, 3> batch_strides{1, 7, 6};
 
@@ -70,8 +70,8 @@ public:
                 if (nth == leaves_early && stride == 2) continue;
                 alone_[nth]->advance(batch_strides[stride]);
                 add(outcome_.tally, alone_[nth]->read(), batch->read(nth), setting_.precision,
-                    fmt::format("lattice {} of {}, {}, iteration {}", nth, batch_members, setting_.text(),
-                                alone_[nth]->iteration()));
+                    fmt::format("lattice {} of {}, iteration {}{}{}", nth, batch_members, alone_[nth]->iteration(),
+                                setting_.text().empty() ? "" : ", ", setting_.text()));
             }
             if (stride == 1) batch->end(leaves_early);
         }

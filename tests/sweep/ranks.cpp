@@ -70,9 +70,10 @@ TEST_CASE("two and four ranks leave the table that one process leaves") {
 TEST_CASE("after a rank was killed the same command ends in the same table") {
     if (no_mpi()) return;
     const Cluster bench;
-    REQUIRE(shell(test::program + " " + bench.words("alone")).exit_code == 0);
+    const std::string longer = " --iterations 12000";  // so that not all tiles are done before the rank is found
+    REQUIRE(shell(test::program + " " + bench.words("alone") + longer).exit_code == 0);
     {
-        Child child({"sh", "-c", under_mpirun(2, bench.words("out"))});
+        Child child({"sh", "-c", under_mpirun(2, bench.words("out") + longer)});
         REQUIRE(test::wait_for(bench.folder / "out/sweep.csv", child));
         const pid_t rank = test::child_of(child.id(), "sweep");
         REQUIRE(rank > 0);
@@ -81,7 +82,7 @@ TEST_CASE("after a rank was killed the same command ends in the same table") {
     }
     const auto rows = [&] { return std::ranges::count(bench.csv("out"), '\n'); };
     CHECK(rows() < 13);
-    const Outcome again = shell(under_mpirun(2, bench.words("out")));
+    const Outcome again = shell(under_mpirun(2, bench.words("out") + longer));
     INFO(again.err);
     CHECK(again.exit_code == 0);
     CHECK_THAT(again.err, Contains("there already"));
