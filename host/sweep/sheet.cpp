@@ -47,6 +47,19 @@ void paste(const Picture& tile, std::size_t left, std::size_t top, std::size_t r
     }
 }
 
+// Where a tile has no picture: it could not be run, or has not been yet.
+Picture crossed_out(std::size_t columns, std::size_t rows) {
+    constexpr Rgb paper{240, 240, 240}, pen{170, 170, 170};
+    Picture picture(columns, rows);
+    std::ranges::fill(picture.pixels, paper);
+    const std::size_t longer = std::max(columns, rows);
+    for (std::size_t i = 0; i < longer; ++i) {
+        const std::size_t x = i * columns / longer, y = i * rows / longer;
+        picture.at(x, y) = picture.at(columns - 1 - x, y) = pen;
+    }
+    return picture;
+}
+
 }  // namespace
 
 Mosaic mosaic(const std::vector<TilePicture>& tiles, const Layout& layout, const Output& output, std::size_t least) {
@@ -65,11 +78,17 @@ Mosaic mosaic(const std::vector<TilePicture>& tiles, const Layout& layout, const
     made.picture = Picture(layout.across * (made.tile_columns + gap) - gap, layout.down * (made.tile_rows + gap) - gap);
     for (std::size_t i = 0; i < tiles.size(); ++i) {
         const TilePicture& tile = tiles[i];
-        if (tile.values.empty()) continue;
-        const Brush brush(output, columns_of(tile), made.range);
         const std::size_t row = i / layout.across, line = layout.from_below ? layout.down - 1 - row : row;
-        paste(enlarged(render(brush, tile.columns, tile.rows), factor), i % layout.across * (made.tile_columns + gap),
-              line * (made.tile_rows + gap), made.tile_rows, made.picture);
+        const auto put = [&](const Picture& picture) {
+            paste(picture, i % layout.across * (made.tile_columns + gap), line * (made.tile_rows + gap), made.tile_rows,
+                  made.picture);
+        };
+        if (tile.values.empty()) {
+            put(crossed_out(made.tile_columns, made.tile_rows));
+            continue;
+        }
+        const Brush brush(output, columns_of(tile), made.range);
+        put(enlarged(render(brush, tile.columns, tile.rows), factor));
     }
     return made;
 }

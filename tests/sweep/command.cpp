@@ -142,6 +142,10 @@ TEST_CASE(
     const sweep::Mosaic made = sweep::mosaic({picture, {}}, {2, 1, true}, output, 1);
     CHECK(made.picture.at(0, 0) == Rgb{0, 128, 255});
     CHECK(made.picture.at(1, 0) == Rgb{255, 128, 0});
+
+    const std::size_t second = made.tile_columns + sweep::gap;  // has no picture
+    CHECK(made.picture.at(second, 0) != Rgb{255, 255, 255});
+    CHECK(made.picture.at(made.tile_columns, 0) == Rgb{255, 255, 255});
 }
 
 TEST_CASE(
