@@ -25,6 +25,8 @@ using test::command;
 using test::Folder;
 using test::Outcome;
 using test::read_all;
+using test::Row;
+using test::rows_of;
 using test::without_times;
 
 namespace {
@@ -34,29 +36,6 @@ const std::string text =
     "define chemical U limit 1\ndefine chemical V limit 1\nuse seed 7\n"
     "use chemical U conc 1 diff 0.2\nuse chemical V conc 0 dev 0.4 diff 0.1\ncreate matrix side 20 wrap\n"
     "rule always react U V gray-scott f F k K\nstop at 200\noutput V colormap viridis\n";
-
-using Row = std::map<std::string, std::string>;
-
-std::vector<Row> rows_of(const std::string& csv) {
-    std::istringstream lines(csv);
-    std::vector<Row> rows;
-    std::vector<std::string> names;
-    for (std::string line; std::getline(lines, line);) {
-        std::vector<std::string> fields;
-        std::istringstream parts(line + ",");
-        for (std::string part; std::getline(parts, part, ',');) fields.push_back(part);
-        if (names.empty()) {
-            names = fields;
-            continue;
-        }
-        REQUIRE(fields.size() == names.size());
-        for (std::size_t i = 0; i < fields.size(); ++i) {
-            if (i == 0) rows.emplace_back();
-            rows.back()[names[i]] = fields[i];
-        }
-    }
-    return rows;
-}
 
 class Bench {
 public:
