@@ -21,7 +21,8 @@ if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU" AND CMAKE_SYSTEM_PROCESSOR STREQUAL "x86
 elseif(CMAKE_CXX_COMPILER_ID MATCHES "Clang")
   list(APPEND row_flags -Wno-pass-failed)
 endif()
-set_source_files_properties(host/bench/openmp_rows.cpp host/bench/openmp_charges.cpp PROPERTIES COMPILE_OPTIONS "${row_flags}")
+set_source_files_properties(host/bench/openmp_rows.cpp host/bench/openmp_charges.cpp
+  host/bench/openmp_network.cpp PROPERTIES COMPILE_OPTIONS "${row_flags}")
 
 # Draws what `pelage bench` measured. A program of its own beside the command: nobody else needs cairo.
 find_path(CAIRO_INCLUDE_DIR cairo.h PATH_SUFFIXES cairo)

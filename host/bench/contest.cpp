@@ -87,11 +87,13 @@ private:
         add("reference", processor_name(), too_long(work, patience),
             [=] { return reference_task(*experiment, initial); });
         const std::optional<Kernel> kernel = case_.kernel;
-        const bool particles = case_.particles, volume = case_.suite == "volume", mesh = case_.suite == "mesh";
+        const bool particles = case_.particles, volume = case_.suite == "volume", mesh = case_.suite == "mesh",
+                   neural = case_.suite == "neural";
         add("openmp", processor_name(), why_no_openmp(case_), [=] {
             if (particles) return openmp_aggregate(*experiment, *initial);
             if (volume) return openmp_volume(*experiment, *initial);
             if (mesh) return openmp_mesh(*experiment, *initial);
+            if (neural) return openmp_network(*experiment, *initial);
             return kernel ? openmp_lattice(*kernel, *experiment, *initial) : openmp_cells(*experiment, *initial);
         });
         for (const DeviceSessions& device : devices_) {

@@ -25,7 +25,7 @@ std::string why_no_openmp(const Case& one) {
 #ifndef _OPENMP
     return one.name + ": this program was built without OpenMP";
 #else
-    constexpr std::array<std::string_view, 5> others{"cells", "neighbours", "aggregate", "volume", "mesh"};
+    constexpr std::array<std::string_view, 6> others{"cells", "neighbours", "aggregate", "volume", "mesh", "neural"};
     if (one.kernel || std::ranges::find(others, one.suite) != others.end()) return {};
     return "there is no hand-written baseline for this case";
 #endif

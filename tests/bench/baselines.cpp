@@ -98,6 +98,20 @@ TEST_CASE("the OpenMP volume and mesh have the reference's bits at any size") {
               bench::openmp_mesh);
 }
 
+TEST_CASE("the OpenMP network has the reference's bits at any size") {
+    const auto& cases = bench::all_cases();
+    const auto one = std::ranges::find_if(cases, [](const bench::Case& c) { return c.suite == "neural"; });
+    REQUIRE(one != cases.end());
+    for (const std::size_t side : {3u, 16u, 21u}) {
+        INFO(side);
+        const Experiment experiment = bench::experiment_of(*one, side);
+        const auto initial = std::make_shared<const Snapshot>(initial_state(experiment));
+        const auto reference = bench::reference_task(experiment, initial);
+        const auto baseline = bench::openmp_network(experiment, *initial);
+        CHECK(compared(*reference, *baseline, 5, bench::outcome_of(*initial)) == "");
+    }
+}
+
 TEST_CASE("the OpenMP cell step has the reference's bits while cells move and lists are renewed") {
     const auto& cases = bench::all_cases();
     const auto one = std::ranges::find_if(cases, [](const bench::Case& c) { return c.name == "tissue"; });
