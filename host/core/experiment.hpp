@@ -237,7 +237,7 @@ enum class Fit {
 };
 
 struct PictureField {
-    std::shared_ptr<const Field> picture;  // null: it was left out
+    std::shared_ptr<const Field> picture;  // never null
     Fit fit = Fit::stretch;
     double beside = 0.0;  // where a centred picture does not reach
 };

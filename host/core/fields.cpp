@@ -70,7 +70,6 @@ double of_picture(const PictureField& field, const Extent& extent, std::size_t c
 std::vector<double> from_picture(const PictureField& field, const Extent& extent) {
     std::vector<double> values;
     values.reserve(extent.columns * extent.rows);
-    if (!field.picture) return std::vector<double>(extent.columns * extent.rows, 0.0);  // it was left out
     for (std::size_t row = 0; row < extent.rows; ++row) {
         for (std::size_t column = 0; column < extent.columns; ++column)
             values.push_back(of_picture(field, extent, column, row));

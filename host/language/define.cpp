@@ -91,7 +91,7 @@ void parse_chemical(Script& script, Cursor& cursor) {
     if (options.of_polarity != nullptr) script.needs_plane(cursor, *options.of_polarity);
     if (options.picture.file != nullptr) {
         script.needs_plane(cursor, *options.picture.file);
-        chemical.initial = load_picture(script, cursor, options.picture);
+        chemical.initial = load_start_picture(script, cursor, options.picture);
         if (chemical.initial) script.shows_picture(cursor, *options.picture.file);
     }
     script.phase().bounds.push_back(chemical.bounds);

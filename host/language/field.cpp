@@ -29,7 +29,7 @@ PictureField parse_picture(Script& script, Cursor& cursor) {
         if (*option == 1) parse_scale(cursor, picture);
         if (*option == 2) field.fit = parse_fit(cursor);
     }
-    field.picture = load_picture(script, cursor, picture);
+    field.picture = load_picture(script, cursor, picture, true);
     field.beside = picture.low;
     script.needs_lattice(cursor, *picture.file);
     script.needs_plane(cursor, *picture.file);

@@ -16,7 +16,8 @@ inline constexpr std::size_t largest_snapshot_count = 1'000'000;  // of one run
 inline constexpr std::size_t largest_phase_count = 10'000;
 inline constexpr std::size_t largest_mapping_count = 64;  // each costs a number a cell
 
-// left_out: they are not opened, for a run that goes on from a later state; chemicals have no Chemical::initial then.
+// left_out: those of chemicals are not opened, for a run that goes on from a later state; there is no Chemical::initial
+// then. Those of fields are read all the same.
 enum class StartPictures { read, left_out };
 
 // Parses and validates. `source_name` stands in messages; names of pictures and shapes that are not absolute are

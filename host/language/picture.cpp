@@ -45,22 +45,25 @@ void parse_scale(Cursor& cursor, PictureOptions& picture) {
     picture.high = cursor.number("the highest value");
 }
 
-std::shared_ptr<const Field> load_picture(Script& script, const Cursor& cursor, const PictureOptions& picture) {
+std::shared_ptr<const Field> load_picture(Script& script, const Cursor& cursor, const PictureOptions& picture,
+                                          bool throughout) {
     const std::string name(picture.file->text);
-    if (script.pictures() == StartPictures::left_out) {
-        script.experiment.inputs.push_back({name, {}});
-        return nullptr;
-    }
     try {
         const std::string path = script.resolve(name).string();
         const std::string bytes = read_file(path);
         auto values = scaled(parse_field(bytes, picture.channel, path), picture.low, picture.high);
         check_floats(*values, path);
-        script.experiment.inputs.push_back({name, sha256(bytes)});
+        script.experiment.inputs.push_back({name, sha256(bytes), throughout});
         return values;
     } catch (const Error& error) {
         cursor.fail(*picture.file, error.what());
     }
+}
+
+std::shared_ptr<const Field> load_start_picture(Script& script, const Cursor& cursor, const PictureOptions& picture) {
+    if (script.pictures() == StartPictures::read) return load_picture(script, cursor, picture, false);
+    script.experiment.inputs.push_back({std::string(picture.file->text), {}});
+    return nullptr;
 }
 
 }  // namespace pelage::language

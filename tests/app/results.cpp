@@ -134,6 +134,38 @@ TEST_CASE("a resumed run keeps the snapshots before it, and only those of its ow
     CHECK(names_in(folder / "out") == Names{"checkpoint.pelage", "final.U.npy", "final.V.npy", "manifest.json"});
 }
 
+TEST_CASE("a resumed run reads the pictures of fields again, and takes no other in their place") {
+    const Folder folder;
+    const auto picture = folder / "feed.npy";
+    const std::string rows = folder.write("rising.pex", rising);
+    REQUIRE(run_reference(rows, folder / "made", {"--format", "npy"}).exit_code == 0);
+    std::filesystem::copy_file(folder / "made" / "final.U.npy", picture);
+    const std::string file = folder.write(
+        "fed.pex",
+        "define chemical U\ndefine field feed \"feed.npy\"\ncreate matrix 5 4\nrule always change U conc feed\n"
+        "stop at 10\n");
+    for (const std::string backend : {"reference", "opencl"}) {
+        const auto run = [&](const std::string& out, std::vector<std::string> more) {
+            more.insert(more.begin(), {"run", file, "--backend", backend, "--out", folder / out, "--format", "npy"});
+            return command(more);
+        };
+        REQUIRE(run("whole", {}).exit_code == 0);
+        REQUIRE(run("part", {"--checkpoint-every", "4", "--iterations", "6"}).exit_code == 0);
+        const std::vector<std::string> resume{"--resume", folder / "part" / "checkpoint.pelage"};
+        REQUIRE(run("resumed", resume).exit_code == 0);
+        CHECK(read_all(folder / "resumed" / "final.U.npy") == read_all(folder / "whole" / "final.U.npy"));
+        CHECK(read_all(folder / "resumed" / "final.U.npy") != read_all(folder / "part" / "final.U.npy"));
+
+        std::filesystem::copy_file(folder / "whole" / "final.U.npy", picture,
+                                   std::filesystem::copy_options::overwrite_existing);
+        const Outcome refused = run("resumed", resume);
+        CHECK(refused.exit_code == 2);
+        CHECK_THAT(refused.err, Contains("'feed.npy' is not the file that the run began with"));
+        std::filesystem::copy_file(folder / "made" / "final.U.npy", picture,
+                                   std::filesystem::copy_options::overwrite_existing);
+    }
+}
+
 TEST_CASE("a manifest that was tampered with cannot make a run remove anything but results") {
     const Folder folder;
     const std::string file = folder.write("spots.pex", test::spots);
