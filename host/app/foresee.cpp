@@ -4,6 +4,7 @@
 #include "app/machine.hpp"
 #include "app/memory.hpp"
 #include "app/run_options.hpp"
+#include "core/aggregate.hpp"
 #include "core/allowance.hpp"
 #include "core/error.hpp"
 #include "core/fields.hpp"
@@ -25,7 +26,7 @@ constexpr double soon_looked_at = 1'000'000;  // cells
 constexpr double on_any_device = 1 << 28;     // bytes; OpenCL devices have more, and none is asked for less
 
 bool computes_start(const Experiment& experiment) {
-    return !experiment.fields.empty() || !experiment.expressions.empty();
+    return !experiment.fields.empty() || !experiment.expressions.empty() || has_charges(experiment);
 }
 
 // The line of the first `create`, with its column.
@@ -57,6 +58,7 @@ std::string why_too_large(const Experiment& experiment, const Footprint& need) {
 void check_start(const Experiment& experiment) {
     if (!computes_start(experiment) || final_cells(experiment, 0) > soon_looked_at) return;
     const Snapshot start = initial_state(experiment);
+    if (has_charges(experiment)) (void)front_of(experiment, start);
     if (on_grid(space_of(experiment))) (void)field_values(experiment, extent_of(start), Precision::single_);
 }
 

@@ -1,15 +1,20 @@
 // See aggregate.hpp.
 #include "core/aggregate.hpp"
 
+#include "core/counted.hpp"
 #include "core/error.hpp"
+#include "core/fields.hpp"
 #include "core/inverse_root.hpp"
 #include "core/philox.hpp"
 #include "core/scene.hpp"
+#include "core/space.hpp"
+#include "core/stands.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
 namespace pelage {
 
@@ -52,12 +57,42 @@ float site_at(double coordinate, double origin, std::size_t count) {
     return static_cast<float>((coordinate - origin) / 2.0 + static_cast<double>(count - 1) / 2.0);
 }
 
+// The field that says which sites are open.
+std::optional<std::size_t> mask_of(const Experiment& experiment) {
+    for (const Statement& statement : experiment.prepattern) {
+        if (const auto* made = std::get_if<CreateMatrix>(&statement)) return made->where;
+    }
+    return std::nullopt;
+}
+
+void check_open(const Experiment& experiment, const Snapshot& state, const std::vector<double>& order,
+                const std::vector<double>& open) {
+    std::size_t outside = 0, first = 0;
+    for (std::size_t site = 0; site < open.size(); ++site) {
+        if (open[site] != 0.0 || !(order[site] > 0.0)) continue;
+        if (outside++ == 0) first = site;
+    }
+    if (outside == 0) return;
+    const PlaceField& mask = experiment.fields[*mask_of(experiment)];
+    const auto* computed = std::get_if<ComputedField>(&mask.source);
+    throw Error(fmt::format(
+        "{}: {} on sites that 'where' leaves out, the first in column {}, row {}; charges start where it is true alone",
+        where_stands(experiment, mask.line, computed != nullptr ? computed->expression.text : "where"),
+        counted(outside, "charge"), first % state.columns, first / state.columns));
+}
+
 std::uint64_t draw_of(const Experiment& experiment, std::size_t rule, std::uint64_t iteration) {
     const auto words = counted_words(0, iteration, rule, purpose::aggregation, experiment.run_seed());
     return std::uint64_t{words[1]} << 32 | words[0];
 }
 
 }  // namespace
+
+bool has_charges(const Experiment& experiment) {
+    const Space space = space_of(experiment);
+    const auto* lattice = std::get_if<Lattice>(&space);
+    return lattice != nullptr && lattice->charges;
+}
 
 const Aggregate& aggregate_of(const Experiment& experiment) {
     for (const Rule& rule : experiment.rules) {
@@ -99,54 +134,27 @@ std::vector<Arrival> arrivals(const Experiment& experiment, std::uint64_t first,
     return found;
 }
 
-Front::Front(const Snapshot& state, std::size_t order, std::string_view source)
-    : columns_(state.columns), rows_(state.rows) {
-    if (columns_ > widest_aggregate || rows_ > widest_aggregate) {
-        throw Error(fmt::format("{}: {} x {} sites; at most {} in a row or column are allowed", source, columns_, rows_,
-                                widest_aggregate));
-    }
-    const std::vector<double>& arrived = state.conc[order];
-    std::vector<std::uint32_t> seeds;
-    for (std::uint32_t site = 0; site < arrived.size(); ++site) {
-        if (arrived[site] > 0.0) seeds.push_back(site);
-    }
-    if (seeds.empty())
-        throw Error(fmt::format("{}: no site holds a charge; give one the order 1 at the start", source));
-    std::ranges::stable_sort(seeds, {}, [&](std::uint32_t site) { return arrived[site]; });
-    sites_.assign(arrived.size(), free);
-    for (const std::uint32_t site : seeds) take(site);
-    added_.clear();
+std::vector<double> open_sites(const Experiment& experiment, const Snapshot& state) {
+    const auto field = mask_of(experiment);
+    if (!field) return {};
+    return field_values(experiment, extent_of(state), Precision::double_).at(*field);
 }
 
-void Front::take(std::uint32_t site) {
-    added_.clear();
-    if (sites_[site] >= 0) {
-        places_[static_cast<std::size_t>(sites_[site])] = no_site;
-        left_.push_back(static_cast<std::uint32_t>(sites_[site]));
-    }
-    sites_[site] = taken;
-    charges_.push_back(site);
-    const std::size_t column = site % columns_, row = site / columns_;
-    const std::size_t right = std::min(column + 2, columns_), top = std::min(row + 2, rows_);
-    for (std::size_t x = column - std::min<std::size_t>(column, 1); x < right; ++x) {
-        for (std::size_t y = row - std::min<std::size_t>(row, 1); y < top; ++y)
-            add(static_cast<std::uint32_t>(y * columns_ + x));
-    }
+Front front_of(const Experiment& experiment, const Snapshot& state) {
+    const Aggregate& aggregate = aggregate_of(experiment);
+    const std::vector<double> open = open_sites(experiment, state);
+    check_open(experiment, state, state.conc[aggregate.order], open);
+    return {state, aggregate.order, experiment.source, open, aggregate.seed};
 }
 
-void Front::add(std::uint32_t site) {
-    if (sites_[site] != free) return;
-    std::uint32_t place = static_cast<std::uint32_t>(places_.size());
-    if (left_.empty()) {
-        places_.push_back(site);
-    } else {
-        place = left_.back();
-        left_.pop_back();
-        places_[place] = site;
-    }
-    sites_[site] = static_cast<std::int32_t>(place);
-    added_.push_back(place);
+namespace {
+
+void show_of_charges(std::vector<double>& shown, const Front& front, const std::vector<double>& values) {
+    std::ranges::fill(shown, 0.0);
+    for (std::size_t i = 0; i < values.size(); ++i) shown[front.charges()[i]] = values[i];
 }
+
+}  // namespace
 
 void show_aggregate(Snapshot& state, const Aggregate& aggregate, const Front& front,
                     const std::vector<std::int64_t>& sums) {
@@ -156,6 +164,7 @@ void show_aggregate(Snapshot& state, const Aggregate& aggregate, const Front& fr
     potential.assign(potential.size(), 0.0);
     double arrived = 0.0;
     for (const std::uint32_t site : front.charges()) order[site] = ++arrived;
+    if (aggregate.seed) show_of_charges(state.conc[*aggregate.seed], front, front.seeds());
     for (std::size_t place = 0; place < sums.size(); ++place) {
         const std::uint32_t site = front.places()[place];
         if (site != no_site) potential[site] = arrived - static_cast<double>(sums[place]) / inverse_parts;
@@ -173,6 +182,7 @@ namespace {
 
 // Whether some sums, evenly spread, are what the charges add up to.
 bool sums_hold(const std::vector<std::int64_t>& sums, const Front& front) {
+    if (sums.empty()) return true;
     constexpr std::size_t looked_at = 16;
     for (std::size_t i = 0; i < looked_at; ++i) {
         const std::size_t place = sums.size() * i / looked_at;

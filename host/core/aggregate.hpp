@@ -6,6 +6,7 @@
 #pragma once
 
 #include "core/experiment.hpp"
+#include "core/front.hpp"
 #include "core/snapshot.hpp"
 
 #include <cstddef>
@@ -14,9 +15,6 @@
 #include <vector>
 
 namespace pelage {
-
-inline constexpr std::size_t widest_aggregate = 32768;  // squares of distances are counted in 31 bits
-inline constexpr std::uint32_t no_site = 0xffffffffu;
 
 // A distance's inverse is counted in these parts of one, so that sums have the same bits in any order.
 inline constexpr double inverse_parts = 0x1p30;
@@ -29,6 +27,8 @@ void each_parameter(const Aggregate& aggregate, Visit&& visit) {
         visit(*operand);
     }
 }
+
+bool has_charges(const Experiment&);
 
 // The experiment's first `aggregate`. Throws Error where there is none.
 const Aggregate& aggregate_of(const Experiment&);
@@ -54,47 +54,18 @@ struct Arrival {
 };
 std::vector<Arrival> arrivals(const Experiment&, std::uint64_t first, std::uint64_t count, const Snapshot&);
 
-// Charges in order of arrival, and candidates in places. A candidate that becomes a charge leaves its place to the next
-// new one (the place that was left last comes first); where no place is left, there is a new one at the end.
-class Front {
-public:
-    Front() = default;
-    // Throws Error when no site holds a charge or the lattice is too large; `source` names the experiment there.
-    Front(const Snapshot&, std::size_t order, std::string_view source = "an aggregate");
+// Of each site, whether charges may lie there: 0 where `create charges ... where` is false. Empty: everywhere.
+std::vector<double> open_sites(const Experiment&, const Snapshot&);
 
-    // A free site becomes a charge. What it makes candidates of stands in added(): columns from the left to the right,
-    // each from the lower to the upper row.
-    void take(std::uint32_t site);
-
-    std::size_t columns() const { return columns_; }
-    std::size_t rows() const { return rows_; }
-    const std::vector<std::uint32_t>& charges() const { return charges_; }
-    const std::vector<std::uint32_t>& places() const { return places_; }  // the site, or no_site
-    const std::vector<std::uint32_t>& left() const { return left_; }      // places, the last one first
-    const std::vector<std::uint32_t>& added() const { return added_; }    // places
-
-    // Of each site: free, taken, or the place of a candidate.
-    static constexpr std::int32_t free = -1;
-    static constexpr std::int32_t taken = -2;
-    const std::vector<std::int32_t>& sites() const { return sites_; }
-
-private:
-    void add(std::uint32_t site);
-
-    std::size_t columns_ = 0;
-    std::size_t rows_ = 0;
-    std::vector<std::uint32_t> charges_;
-    std::vector<std::uint32_t> places_;
-    std::vector<std::uint32_t> left_;
-    std::vector<std::uint32_t> added_;
-    std::vector<std::int32_t> sites_;
-};
+// The charges of a snapshot and their candidates. Throws Error as Front does, and where a charge lies on a site that is
+// not open.
+Front front_of(const Experiment&, const Snapshot&);
 
 // Sum of 1 / r from a site to all charges, in parts.
 std::int64_t sum_at(std::uint32_t site, const Front&);
 
-// The state of an aggregate as a snapshot shows it: the order of arrival of each charge, and of each candidate
-// sum (1 - 1 / r) over all charges. `sums` are those of 1 / r, one a place, in parts.
+// The state of an aggregate as a snapshot shows it: the order of arrival of each charge and its seed, and of each
+// candidate sum (1 - 1 / r) over all charges. `sums` are those of 1 / r, one a place, in parts.
 void show_aggregate(Snapshot&, const Aggregate&, const Front&, const std::vector<std::int64_t>& sums);
 
 // The sums that a snapshot tells; none where they do not hold: there are none at the start, and numbers that were

@@ -205,6 +205,8 @@ struct Aggregate {
     Operand x = Operand::number(0.0);       // of the place that draws the growth
     Operand y = Operand::number(0.0);
     Operand strength = Operand::number(0.0);
+    // Chemical that holds which seed a charge descends from; empty: nobody asks.
+    std::optional<std::size_t> seed = std::nullopt;
 };
 
 using Action = std::variant<React, Formula, Neural, Change, Set, Map, Polarize, Divide, Move, And, Expand, Aggregate>;
@@ -296,6 +298,8 @@ struct CreateMatrix {
     Boundary boundary = Boundary::no_flux;
     double x = 0.0, y = 0.0;
     bool charges = false;  // its cells are the sites of an aggregate
+    // Of charges: place in Experiment::fields; a charge lies where that is not 0 alone.
+    std::optional<std::size_t> where = std::nullopt;
 };
 struct CreateVolume {
     std::size_t columns = 0;

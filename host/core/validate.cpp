@@ -353,8 +353,12 @@ private:
         check_chemical(aggregate.potential, "an `aggregate`");
         if (aggregate.order == aggregate.potential) fail("an `aggregate` keeps order and potential in two chemicals");
         const Aggregate& first = aggregate_of(experiment_);
+        if (aggregate.seed) check_chemical(*aggregate.seed, "an `aggregate`");
+        if (aggregate.seed == aggregate.order || aggregate.seed == aggregate.potential)
+            fail("an `aggregate` keeps seeds in a chemical of their own");
         if (aggregate.order != first.order || aggregate.potential != first.potential)
             fail("all `aggregate` rules keep order and potential in the same chemicals");
+        if (aggregate.seed != first.seed) fail("all `aggregate` rules keep seeds in the same chemical, or none does");
         each_parameter(aggregate, [&](const Operand& operand) { check_parameter(operand); });
     }
     void check_parameter(const Operand& operand) const {
@@ -370,6 +374,7 @@ private:
 
     // Nothing but growth happens to charges.
     void check_charges() {
+        check_open();
         if (lattice() == nullptr || !lattice()->charges) return;
         if (lattice()->columns > widest_aggregate || lattice()->rows > widest_aggregate)
             fail(fmt::format("charges are at most {} in a row or column", widest_aggregate));
@@ -383,6 +388,15 @@ private:
         for (const Phase& phase : experiment_.phases) {
             check_free(phase, aggregate.order);
             check_free(phase, aggregate.potential);
+            if (aggregate.seed) check_free(phase, *aggregate.seed);
+        }
+    }
+    void check_open() const {
+        for (const Statement& statement : experiment_.prepattern) {
+            const auto* made = std::get_if<CreateMatrix>(&statement);
+            if (made == nullptr || !made->where) continue;
+            if (!made->charges || *made->where >= experiment_.fields.size())
+                fail("`where` belongs to `create charges` and names a field");
         }
     }
     void check_still() const {
@@ -403,8 +417,7 @@ private:
     void check_free(const Phase& phase, std::size_t chemical) const {
         const Bounds& bounds = phase.bounds[chemical];
         if (bounds.floor <= 0.0 && bounds.limit == infinity) return;
-        fail(fmt::format("'{}' counts charges or holds potentials; it takes no bounds",
-                         experiment_.chemicals[chemical].name));
+        fail(fmt::format("'{}' holds something of charges; it takes no bounds", experiment_.chemicals[chemical].name));
     }
 
     // What a plane alone has: volumes and meshes have no polarity, and their cells neither move nor grow in number.

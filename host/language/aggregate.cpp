@@ -1,12 +1,36 @@
-// aggregate ORDER POTENTIAL [eta PAR] [radius PAR] [towards X Y strength PAR]: charges that gather.
+// aggregate ORDER POTENTIAL [seed SEED] [eta PAR] [radius PAR] [towards X Y strength PAR]: charges that gather.
 #include "language/statements.hpp"
+
+#include <fmt/format.h>
 
 #include <array>
 
 namespace pelage::language {
 
+namespace {
+
+// A chemical that holds something of charges, and nothing else of them.
+std::size_t parse_held(Script& script, Cursor& cursor, const Aggregate& aggregate) {
+    const Token& name = cursor.peek();
+    const std::size_t chemical = script.chemical(cursor);
+    if (chemical == aggregate.order || chemical == aggregate.potential) {
+        cursor.fail(name,
+                    fmt::format("'{}' holds something else of charges already; take another chemical", name.text));
+    }
+    return chemical;
+}
+
+void parse_towards(Script& script, Cursor& cursor, Aggregate& aggregate) {
+    aggregate.x = parse_operand(script, cursor, "the place's x");
+    aggregate.y = parse_operand(script, cursor, "the place's y");
+    cursor.expect("strength");
+    aggregate.strength = parse_operand(script, cursor, "the strength");
+}
+
+}  // namespace
+
 Action parse_aggregate(Script& script, Cursor& cursor) {
-    static constexpr std::array<std::string_view, 3> words{"eta", "radius", "towards"};
+    static constexpr std::array<std::string_view, 4> words{"eta", "radius", "towards", "seed"};
     Aggregate aggregate;
     aggregate.order = script.chemical(cursor);
     const Token& second = cursor.peek();
@@ -17,11 +41,8 @@ Action parse_aggregate(Script& script, Cursor& cursor) {
     while (const auto option = options.next(cursor)) {
         if (*option == 0) aggregate.eta = parse_operand(script, cursor, "eta");
         if (*option == 1) aggregate.radius = parse_operand(script, cursor, "the radius");
-        if (*option != 2) continue;
-        aggregate.x = parse_operand(script, cursor, "the place's x");
-        aggregate.y = parse_operand(script, cursor, "the place's y");
-        cursor.expect("strength");
-        aggregate.strength = parse_operand(script, cursor, "the strength");
+        if (*option == 2) parse_towards(script, cursor, aggregate);
+        if (*option == 3) aggregate.seed = parse_held(script, cursor, aggregate);
     }
     return aggregate;
 }

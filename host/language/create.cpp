@@ -112,16 +112,35 @@ void create_shape(Script& script, Cursor& cursor, const Token& at) {
 constexpr std::array<std::string_view, 3> boundary_words{"no-flux", "wrap", "absorbing"};
 constexpr std::array boundaries{Boundary::no_flux, Boundary::wrap, Boundary::absorbing};
 
-// COLUMNS ROWS [at X Y]
+// (EXPRESSION), which becomes a field without a name.
+std::size_t parse_open_sites(Script& script, Cursor& cursor) {
+    const Token& at = cursor.peek();
+    auto& fields = script.experiment.fields;
+    if (fields.size() == largest_field_count) {
+        cursor.fail(at, fmt::format("'where' makes a field, and that is one too many; at most {} are allowed",
+                                    largest_field_count));
+    }
+    ComputedField open{parse_expression(script, cursor, Scope::field, "what holds for the sites of charges")};
+    fields.push_back({"", cursor.line(), std::move(open)});
+    return fields.size() - 1;
+}
+
+// COLUMNS ROWS [at X Y] [where (EXPRESSION)]
 void create_charges(Script& script, Cursor& cursor, const Token& at) {
-    static constexpr std::array<std::string_view, 1> words{"at"};
+    static constexpr std::array<std::string_view, 2> words{"at", "where"};
     CreateMatrix sites;
     sites.charges = true;
     sites.columns = cursor.integer("the number of columns", 1, widest_aggregate);
     sites.rows = cursor.integer("the number of rows", 1, widest_aggregate);
-    const Placement place = parse_placement(cursor, words);
-    sites.x = place.x;
-    sites.y = place.y;
+    Options options(words);
+    while (const auto option = options.next(cursor)) {
+        if (*option == 1) {
+            sites.where = parse_open_sites(script, cursor);
+            continue;
+        }
+        sites.x = cursor.number("the centre's x");
+        sites.y = cursor.number("the centre's y");
+    }
     script.create(cursor, at, sites, sites.columns * sites.rows);
 }
 

@@ -130,7 +130,7 @@ private:
     void look(const And&) {}
     void look(const Expand&) {}
     void look(const Aggregate& aggregate) {
-        chemicals.insert({aggregate.order, aggregate.potential});
+        chemicals.insert({aggregate.order, aggregate.potential, aggregate.seed.value_or(aggregate.order)});
         each_parameter(aggregate, [&](const Operand& parameter) { read(parameter); });
     }
 

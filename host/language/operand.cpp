@@ -93,7 +93,7 @@ void note_needs(Script& script, const Cursor& cursor, const Token& at, Quantity 
     allowed.push_back(chemicals);
     allowed.push_back("an expression in parentheses");
     for (const std::string& name : script.experiment.mappings) allowed.push_back(name);
-    for (const PlaceField& field : script.experiment.fields) allowed.push_back(field.name);
+    for (const std::string_view name : script.field_names()) allowed.push_back(name);
     const std::string must = fmt::format("{} must be one of: {}", what, listed(allowed));
     if (cursor.done()) cursor.fail(token, fmt::format("the line ends too early; {}", must));
     for (const std::string_view name : script.chemical_names()) allowed.push_back(name);
@@ -146,7 +146,7 @@ public:
         if (visible(Quantity::mapping)) {
             for (const std::string& name : script_.experiment.mappings) names.push_back(name);
         }
-        for (const PlaceField& field : script_.experiment.fields) names.push_back(field.name);
+        for (const std::string_view name : script_.field_names()) names.push_back(name);
         for (const Parameter& one : script_.experiment.parameters) names.push_back(one.name);
         for (const QuantityWord& word : words) {
             if (visible(word.quantity)) names.push_back(word.text);

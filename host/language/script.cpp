@@ -59,6 +59,14 @@ std::vector<std::string_view> Script::chemical_names() const {
     return names;
 }
 
+std::vector<std::string_view> Script::field_names() const {
+    std::vector<std::string_view> names;
+    for (const PlaceField& one : experiment.fields) {
+        if (!one.name.empty()) names.push_back(one.name);
+    }
+    return names;
+}
+
 std::string Script::chemicals_defined() const { return "defined here: " + listed(chemical_names()); }
 
 std::size_t Script::chemical(Cursor& cursor) const {

@@ -69,6 +69,7 @@ public:
     std::optional<std::size_t> find_stencil(std::string_view) const;
     std::string chemicals_defined() const;  // "defined here: U, V"
     std::vector<std::string_view> chemical_names() const;
+    std::vector<std::string_view> field_names() const;
 
     // The chemical that holds what this one was an iteration ago; made when first asked for. `at`: where it is.
     std::size_t previous_of(std::size_t chemical, const Cursor&, const Token& at);

@@ -25,8 +25,9 @@ struct AggregateCase {
 };
 
 // Seeds in a corner, few and many; no more candidates than a block of weights holds, and several blocks of them; every
-// parameter, as a number and as an expression; a lattice that is full in the end.
-constexpr std::array<AggregateCase, 6> aggregate_cases{{
+// parameter, as a number and as an expression; a lattice that is full in the end; walls with doors, and seeds whose
+// descent is kept.
+constexpr std::array<AggregateCase, 7> aggregate_cases{{
     {"aggregates/point", "61 47", "COLUMN == 30 and ROW == 23", "rule always aggregate order phi eta 3\n", true},
     {"aggregates/corner", "97 5", "COLUMN == 0 and ROW == 0", "rule always aggregate order phi eta 1\n"},
     {"aggregates/even", "40 37", "RANDOM < 0.02", "rule always aggregate order phi eta 0\n"},
@@ -37,11 +38,13 @@ constexpr std::array<AggregateCase, 6> aggregate_cases{{
      true},
     {"aggregates/full", "19 11", "COLUMN == 4 and ROW > 7",
      "rule every 2 always aggregate order phi eta 6\nrule from 50 always aggregate order phi eta 2.5\n", true},
+    {"aggregates/walls", "83 41 where (mod(COLUMN, 9) != 8 or ROW == mod(7 * COLUMN, 41))",
+     "mod(COLUMN, 36) == 3 and ROW == 20", "rule always aggregate order phi eta 2 seed family\n", true},
 }};
 
 Experiment experiment_of(const AggregateCase& one) {
     const std::string text = fmt::format(
-        "define chemical order\ndefine chemical phi\nuse seed 7\ncreate charges {}\n"
+        "define chemical order\ndefine chemical phi\ndefine chemical family\nuse seed 7\ncreate charges {}\n"
         "set cells where ({}) chemical order conc (1 + mod(COLUMN + ROW, 3))\n{}",
         one.size, one.seed, one.rules);
     return parse_experiment(text, one.name, ".");

@@ -12,6 +12,7 @@
 #include "opencl/cells/together.hpp"
 #include "opencl/lattice/choice.hpp"
 #include "reference/backend.hpp"
+#include "verify/charges_piece.hpp"
 #include "verify/tally.hpp"
 
 #include <fmt/format.h>
@@ -131,20 +132,6 @@ private:
     double bytes_ = 0;
 };
 
-bool has_charges(const Experiment& experiment) {
-    const Space space = space_of(experiment);
-    const auto* lattice = std::get_if<Lattice>(&space);
-    return lattice != nullptr && lattice->charges;
-}
-
-// A piece between the charges has none of its own: then one lies in its middle. Its potentials are its own, too.
-void give_charges(const Experiment& experiment, Snapshot& piece) {
-    const Aggregate& aggregate = aggregate_of(experiment);
-    std::vector<double>& order = piece.conc[aggregate.order];
-    if (std::ranges::none_of(order, [](double arrived) { return arrived > 0.0; })) order[order.size() / 2] = 1.0;
-    std::ranges::fill(piece.conc[aggregate.potential], 0.0);
-}
-
 std::string difference(const OpenclOptions& options, const Experiment& experiment, const Snapshot& start,
                        std::uint64_t iterations) {
     const auto backend = opencl_backend(options);
@@ -228,7 +215,7 @@ std::string self_test(const OpenclOptions& options, const Experiment& experiment
     std::optional<LatticeForms> lattice;
     if (initial.on_grid() && !charges) lattice.emplace(options, device, experiment, initial);
     Snapshot start = small_piece(initial);
-    if (charges) give_charges(experiment, start);
+    if (charges) give_charges(small, start);
     const auto forms = [&](std::uint64_t iteration) {
         if (lattice) return lattice->at(iteration);
         if (!charges) return forms_of_cells(options, device, experiment, initial);
@@ -241,7 +228,7 @@ std::string self_test(const OpenclOptions& options, const Experiment& experiment
         for (const Path path : forms(iteration)) {
             OpenclOptions own = options;
             own.path = path;
-            const std::string found = difference(own, experiment, start, count);
+            const std::string found = difference(own, small, start, count);
             if (!found.empty()) return path == options.path ? found : fmt::format("{} ({})", found, word(path));
         }
     }

@@ -42,7 +42,7 @@ private:
 
     void do_write(const Snapshot& snapshot) override {
         state_ = snapshot;
-        Front front(snapshot, aggregate_.order, experiment().source);
+        Front front = front_of(experiment(), snapshot);
         std::vector<std::int64_t> sums = told_sums(snapshot, aggregate_, front);
         growth_ = reference::Growth(std::move(front), std::move(sums));
     }

@@ -231,3 +231,21 @@ TEST_CASE("option --help names every option and --version the version") {
     CHECK(version.exit_code == 0);
     CHECK(version.out.rfind("pelage ", 0) == 0);
 }
+
+TEST_CASE("check finds charges that are missing at the start, or lie where none may") {
+    const Folder folder;
+    const auto checked = [&](const std::string& sites, const std::string& seed) {
+        return command(
+            {"check", folder.write("c.pex", "define chemical order\ndefine chemical phi\ncreate charges 9 9 " + sites +
+                                                "\n" + seed + "rule always aggregate order phi\n")});
+    };
+    const std::string seed = "set cell 40 chemical order conc 1\n";
+    CHECK(checked("", seed).exit_code == 0);
+    CHECK(checked("where (X == 0)", seed).exit_code == 0);
+    const Outcome none = checked("", "");
+    CHECK(none.exit_code == 2);
+    CHECK_THAT(none.err, Contains("no site holds a charge"));
+    const Outcome outside = checked("where (X > 0)", seed);
+    CHECK(outside.exit_code == 2);
+    CHECK_THAT(outside.err, Contains("c.pex:3:26: 1 charge on sites that 'where' leaves out"));
+}

@@ -66,3 +66,47 @@ TEST_CASE("an aggregate that means nothing is refused") {
                    "define chemical order\ndefine chemical phi\nuse chemical phi diff 1\ncreate charges 4 2\n" + rule),
                Contains("nothing diffuses"));
 }
+
+TEST_CASE("sites of charges may be those where an expression holds, which has no name among fields") {
+    const std::string chemicals = "define chemical order\ndefine chemical phi\ndefine chemical family\n";
+    const Experiment e = parse_experiment(
+        chemicals +
+            "define parameter wide 3\ndefine field away (hypot(X, Y))\n"
+            "create charges 8 6 where (away < wide and RANDOM < 0.5) at 1 2\ndefine field after (ROW)\n"
+            "set cell 20 chemical order conc (after)\nrule always aggregate order phi eta 2 seed family\n",
+        "t.pex", ".");
+    const auto& made = std::get<CreateMatrix>(e.prepattern.at(0));
+    CHECK(made.where == 1);
+    CHECK(made.y == 2.0);
+    CHECK(e.fields.at(1).name.empty());
+    CHECK(e.fields.at(2).name == "after");
+    CHECK(std::get<Aggregate>(e.rules.at(0).action).seed == 2);
+
+    const auto refused = [&](const std::string& rest) { return charges_message(chemicals + rest); };
+    CHECK_THAT(refused("create charges 8 6 where\n"), Contains("t.pex:4:") && Contains("expression in parentheses"));
+    CHECK_THAT(refused("create charges 8 6 where (order)\n"), Contains("t.pex:4:27"));
+    CHECK_THAT(refused("create charges 8 6 where (ITERATION < 3)\n"), Contains("t.pex:4:27"));
+    CHECK_THAT(refused("create charges 8 6 where (X) where (Y)\n"), Contains("t.pex:4:30") && Contains("where"));
+    CHECK_THAT(refused("create matrix 8 6 where (X)\n"), Contains("t.pex:4:19"));
+    const std::string unknown = refused("create charges 8 6 where (X)\ndefine field wall (moss)\n");
+    CHECK_THAT(unknown, Contains("t.pex:5:20") && Contains("ROW") && !Contains(", ,"));
+    CHECK_THAT(refused("create charges 8 6 where (X)\nrule always aggregate order phi eta moss\n"),
+               Contains("t.pex:5:37") && !Contains(", ,") && !Contains(": ,"));
+}
+
+TEST_CASE("seeds of charges are kept in a chemical of their own, the same in all rules") {
+    const std::string start = charges_start + "define chemical family\n";
+    const std::string rule = "rule always aggregate order phi seed family\n";
+    CHECK(charges_message(start + rule) == "(none)");
+    CHECK(charges_message(start + "rule always aggregate order phi eta 2 seed phi\n") ==
+          "t.pex:5:44: 'phi' holds something else of charges already; take another chemical");
+    CHECK_THAT(charges_message(start + "rule always aggregate order phi seed\n"), Contains("t.pex:5:37"));
+    CHECK_THAT(charges_message(start + "rule always aggregate order phi seed clan\n"),
+               Contains("t.pex:5:38") && Contains("unknown chemical 'clan'"));
+    CHECK_THAT(charges_message(start + rule + "rule every 2 always aggregate order phi\n"),
+               Contains("t.pex:6") && Contains("same chemical"));
+    CHECK_THAT(charges_message("define chemical order\ndefine chemical phi\ndefine chemical family limit 4\n"
+                               "create charges 4 2\n" +
+                               rule),
+               Contains("'family'") && Contains("no bounds"));
+}

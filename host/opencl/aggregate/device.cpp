@@ -214,6 +214,7 @@ std::vector<std::uint32_t> DeviceAggregate::grow(const Front& front, std::span<c
 
 std::vector<std::int64_t> DeviceAggregate::sums(std::size_t places) const {
     std::vector<std::int64_t> found(places);
+    if (places == 0) return found;
     session_->queue().enqueueReadBuffer(sums_, CL_TRUE, 0, places * sizeof(cl_long), found.data());
     return found;
 }

@@ -64,7 +64,7 @@ private:
 
     void do_write(const Snapshot& snapshot) override {
         state_ = snapshot;
-        front_ = Front(snapshot, aggregate_.order, experiment().source);
+        front_ = front_of(experiment(), snapshot);
         const std::vector<std::int64_t> sums = told_sums(snapshot, aggregate_, front_);
         with_device(session_->info().name, [&] { device_.upload(front_, sums); });
     }
