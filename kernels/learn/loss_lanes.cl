@@ -9,8 +9,8 @@ static inline bool pelage_later(scalar value, int pixel, scalar other, int other
 // As pelage_learn_rank; a group takes a list. Ordered stretches become twice as long by comparisons that all bring the
 // smaller number first, so that what would lie beyond the list's end is never missed (K. Batcher, "Sorting networks and
 // their applications", 1968).
-kernel void pelage_learn_rank_together(global const scalar* restrict seen, global int* restrict order,
-                                       global scalar* restrict sorted) {
+// Lanes exchange `order` and `sorted` between barriers, so neither is `restrict`.
+kernel void pelage_learn_rank_together(global const scalar* restrict seen, global int* order, global scalar* sorted) {
     const int n = (int)get_group_id(0), me = (int)get_local_id(0), all = (int)get_local_size(0);
     const int begin = pelage_begin_of(n), count = PELAGE_LEVEL_CELLS(pelage_level_of(n));
     global int* pixels = order + begin;
