@@ -20,14 +20,25 @@ namespace pelage {
 
 namespace {
 
-double value_of(const Experiment& experiment, const Operand& operand, std::uint64_t iteration) {
+constexpr double smallest_charge = 0.001;
+constexpr double largest_charge = 1000.0;
+
+double value_of(const Experiment& experiment, const Operand& operand, std::size_t rule, std::uint64_t iteration) {
     if (operand.quantity == Quantity::number) return operand.value;
     if (operand.quantity == Quantity::iteration) return static_cast<double>(iteration);
     if (operand.quantity == Quantity::time) return experiment.time_at(iteration);
+    if (operand.quantity == Quantity::random) {
+        const auto words = counted_words(iteration, 0, rule, purpose::charge_size, experiment.run_seed());
+        return unit_uniform<double>(words[0]);
+    }
     Snapshot now;
     now.iteration = iteration;
     Scene scene;
     scene.x = {0.0};
+    scene.first = iteration;  // RANDOM is another one in each
+    scene.seed = experiment.run_seed();
+    scene.place = static_cast<std::uint32_t>(rule);
+    scene.purpose = purpose::charge_size;
     scene.state = &now;
     scene.time = experiment.time_at(iteration);
     return evaluate(experiment.expressions.at(operand.index), scene).front();
@@ -36,19 +47,19 @@ double value_of(const Experiment& experiment, const Operand& operand, std::uint6
 class Reader {  // of one rule's parameters
 public:
     Reader(const Experiment& experiment, std::size_t rule, std::uint64_t iteration)
-        : experiment_(experiment), line_(experiment.rules[rule].line), iteration_(iteration) {}
+        : experiment_(experiment), rule_(rule), iteration_(iteration) {}
 
     double read(const Operand& operand, const char* name, double low, double high) const {
-        const double value = value_of(experiment_, operand, iteration_);
+        const double value = value_of(experiment_, operand, rule_, iteration_);
         if (value >= low && value <= high) return value;
         throw Error(
             fmt::format("{}: {} of 'aggregate' is {:.9g} at iteration {}; it must be a number from {:g} to {:g}",
-                        experiment_.where(line_), name, value, iteration_, low, high));
+                        experiment_.where(experiment_.rules[rule_].line), name, value, iteration_, low, high));
     }
 
 private:
     const Experiment& experiment_;
-    std::size_t line_;
+    std::size_t rule_;
     std::uint64_t iteration_;
 };
 
@@ -79,6 +90,23 @@ void check_open(const Experiment& experiment, const Snapshot& state, const std::
         "{}: {} on sites that 'where' leaves out, the first in column {}, row {}; charges start where it is true alone",
         where_stands(experiment, mask.line, computed != nullptr ? computed->expression.text : "where"),
         counted(outside, "charge"), first % state.columns, first / state.columns));
+}
+
+// Where none is told it is 1.
+std::vector<float> sizes_at_start(const Experiment& experiment, const Snapshot& state, std::size_t chemical,
+                                  const Front& front) {
+    std::vector<float> sizes;
+    for (const std::uint32_t site : front.charges()) {
+        const double told = state.conc[chemical][site];
+        if (told != 0.0 && !(told >= double{static_cast<float>(smallest_charge)} && told <= largest_charge)) {
+            throw Error(fmt::format(
+                "{}: the charge in column {}, row {} starts with the size {:.9g}; it must be 0, which "
+                "stands for 1, or a number from {:g} to {:g}",
+                experiment.source, site % state.columns, site / state.columns, told, smallest_charge, largest_charge));
+        }
+        sizes.push_back(told == 0.0 ? 1.0f : static_cast<float>(told));
+    }
+    return sizes;
 }
 
 std::uint64_t draw_of(const Experiment& experiment, std::size_t rule, std::uint64_t iteration) {
@@ -119,6 +147,8 @@ Particle particle_at(const Experiment& experiment, std::size_t rule, std::uint64
     particle.x = site_at(reader.read(asked.x, "x", -1e6, 1e6), state.origin_x, state.columns);
     particle.y = site_at(reader.read(asked.y, "y", -1e6, 1e6), state.origin_y, state.rows);
     particle.draw = draw_of(experiment, rule, iteration);
+    if (asked.size)
+        particle.size = static_cast<float>(reader.read(asked.grown, "size", smallest_charge, largest_charge));
     return particle;
 }
 
@@ -144,14 +174,17 @@ Front front_of(const Experiment& experiment, const Snapshot& state) {
     const Aggregate& aggregate = aggregate_of(experiment);
     const std::vector<double> open = open_sites(experiment, state);
     check_open(experiment, state, state.conc[aggregate.order], open);
-    return {state, aggregate.order, experiment.source, open, aggregate.seed};
+    Front front(state, aggregate.order, experiment.source, open, aggregate.seed);
+    if (aggregate.size) front.set_sizes(sizes_at_start(experiment, state, *aggregate.size, front));
+    return front;
 }
 
 namespace {
 
-void show_of_charges(std::vector<double>& shown, const Front& front, const std::vector<double>& values) {
+template <class Value>
+void show_of_charges(std::vector<double>& shown, const Front& front, const std::vector<Value>& values) {
     std::ranges::fill(shown, 0.0);
-    for (std::size_t i = 0; i < values.size(); ++i) shown[front.charges()[i]] = values[i];
+    for (std::size_t i = 0; i < values.size(); ++i) shown[front.charges()[i]] = double{values[i]};
 }
 
 }  // namespace
@@ -165,6 +198,7 @@ void show_aggregate(Snapshot& state, const Aggregate& aggregate, const Front& fr
     double arrived = 0.0;
     for (const std::uint32_t site : front.charges()) order[site] = ++arrived;
     if (aggregate.seed) show_of_charges(state.conc[*aggregate.seed], front, front.seeds());
+    if (aggregate.size) show_of_charges(state.conc[*aggregate.size], front, front.sizes());
     for (std::size_t place = 0; place < sums.size(); ++place) {
         const std::uint32_t site = front.places()[place];
         if (site != no_site) potential[site] = arrived - static_cast<double>(sums[place]) / inverse_parts;
@@ -173,8 +207,9 @@ void show_aggregate(Snapshot& state, const Aggregate& aggregate, const Front& fr
 
 std::int64_t sum_at(std::uint32_t site, const Front& front) {
     std::int64_t sum = 0;
-    for (const std::uint32_t charge : front.charges())
-        sum += inverse_distance(site, charge, static_cast<std::uint32_t>(front.columns()));
+    const auto columns = static_cast<std::uint32_t>(front.columns());
+    for (std::size_t i = 0; i < front.charges().size(); ++i)
+        sum += inverse_distance(site, front.charges()[i], columns, front.sizes()[i]);
     return sum;
 }
 
@@ -200,7 +235,9 @@ std::vector<std::int64_t> told_sums(const Snapshot& state, const Aggregate& aggr
     for (std::size_t place = 0; place < sums.size(); ++place) {
         const std::uint32_t site = front.places()[place];
         if (site == no_site) continue;
-        const double parts = (count - state.conc[aggregate.potential][site]) * inverse_parts;
+        const double potential = state.conc[aggregate.potential][site];
+        const double parts = (count - potential) * inverse_parts;
+        if (!(std::abs(potential) < 0x1p23)) return {};  // beyond, a double cannot hold all parts
         if (!(parts > 0.0 && parts < 0x1p53) || parts != std::floor(parts)) return {};
         sums[place] = static_cast<std::int64_t>(parts);
     }

@@ -42,6 +42,7 @@ struct Particle {
     float x = 0.0f;
     float y = 0.0f;
     std::uint64_t draw = 0;  // in parts of 2^64
+    float size = 1.0f;
 };
 
 // Throws Error where a parameter has a value that means nothing. The snapshot gives size and centre.
@@ -61,11 +62,11 @@ std::vector<double> open_sites(const Experiment&, const Snapshot&);
 // not open.
 Front front_of(const Experiment&, const Snapshot&);
 
-// Sum of 1 / r from a site to all charges, in parts.
+// Sum of size / r from a site to all charges, in parts.
 std::int64_t sum_at(std::uint32_t site, const Front&);
 
-// The state of an aggregate as a snapshot shows it: the order of arrival of each charge and its seed, and of each
-// candidate sum (1 - 1 / r) over all charges. `sums` are those of 1 / r, one a place, in parts.
+// The state of an aggregate as a snapshot shows it: the order of arrival of each charge, its seed and its size, and of
+// each candidate sum (1 - size / r) over all charges. `sums` are those of size / r, one a place, in parts.
 void show_aggregate(Snapshot&, const Aggregate&, const Front&, const std::vector<std::int64_t>& sums);
 
 // The sums that a snapshot tells; none where they do not hold: there are none at the start, and numbers that were

@@ -207,6 +207,10 @@ struct Aggregate {
     Operand strength = Operand::number(0.0);
     // Chemical that holds which seed a charge descends from; empty: nobody asks.
     std::optional<std::size_t> seed = std::nullopt;
+    // Chemical that holds how large a charge is, in units of the radius; empty: all are 1. `grown` is the new charge's,
+    // and reads RANDOM, too.
+    std::optional<std::size_t> size = std::nullopt;
+    Operand grown = Operand::number(1.0);
 };
 
 using Action = std::variant<React, Formula, Neural, Change, Set, Map, Polarize, Divide, Move, And, Expand, Aggregate>;

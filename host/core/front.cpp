@@ -30,17 +30,19 @@ Front::Front(const Snapshot& state, std::size_t order, std::string_view source, 
     }
     for (const std::uint32_t site : seeds) {
         const double told = seed ? state.conc[*seed][site] : 0.0;
-        take(site, told != 0.0 ? told : static_cast<double>(charges_.size() + 1));
+        take_of(told != 0.0 ? told : static_cast<double>(charges_.size() + 1), site, 1.0f);
     }
     added_.clear();
 }
 
-void Front::take(std::uint32_t site) {
+void Front::take(std::uint32_t site, float size) {
     const std::int32_t place = sites_[site];
-    take(site, place >= 0 ? parents_[static_cast<std::size_t>(place)] : static_cast<double>(charges_.size() + 1));
+    const bool candidate = place >= 0;
+    take_of(candidate ? parents_[static_cast<std::size_t>(place)] : static_cast<double>(charges_.size() + 1), site,
+            size);
 }
 
-void Front::take(std::uint32_t site, double seed) {
+void Front::take_of(double seed, std::uint32_t site, float size) {
     added_.clear();
     if (sites_[site] >= 0) {
         places_[static_cast<std::size_t>(sites_[site])] = no_site;
@@ -49,6 +51,7 @@ void Front::take(std::uint32_t site, double seed) {
     sites_[site] = taken;
     charges_.push_back(site);
     seeds_.push_back(seed);
+    sizes_.push_back(size);
     const std::size_t column = site % columns_, row = site / columns_;
     const std::size_t right = std::min(column + 2, columns_), top = std::min(row + 2, rows_);
     for (std::size_t x = column - std::min<std::size_t>(column, 1); x < right; ++x) {

@@ -24,6 +24,7 @@ inline constexpr std::uint32_t start = 5;
 inline constexpr std::uint32_t output = 6;
 inline constexpr std::uint32_t parameter = 7;    // in place of the cell stands that of the parameter
 inline constexpr std::uint32_t aggregation = 8;  // in place of the cell stands 0
+inline constexpr std::uint32_t charge_size = 9;  // RANDOM; in place of the cell stands the iteration
 }  // namespace purpose
 
 // The words of one draw.

@@ -349,24 +349,31 @@ private:
         if (lattice() == nullptr || !lattice()->charges)
             fail("`aggregate` needs charges; `create charges COLUMNS ROWS`");
         if (!std::holds_alternative<Always>(rule.condition)) fail("an `aggregate` rule takes the condition `always`");
-        check_chemical(aggregate.order, "an `aggregate`");
-        check_chemical(aggregate.potential, "an `aggregate`");
-        if (aggregate.order == aggregate.potential) fail("an `aggregate` keeps order and potential in two chemicals");
+        const std::vector<std::size_t> held = held_by(aggregate);
+        for (const std::size_t chemical : held) check_chemical(chemical, "an `aggregate`");
+        if (std::set(held.begin(), held.end()).size() != held.size())
+            fail("an `aggregate` keeps order, potential, seed and size in different chemicals");
         const Aggregate& first = aggregate_of(experiment_);
-        if (aggregate.seed) check_chemical(*aggregate.seed, "an `aggregate`");
-        if (aggregate.seed == aggregate.order || aggregate.seed == aggregate.potential)
-            fail("an `aggregate` keeps seeds in a chemical of their own");
-        if (aggregate.order != first.order || aggregate.potential != first.potential)
-            fail("all `aggregate` rules keep order and potential in the same chemicals");
-        if (aggregate.seed != first.seed) fail("all `aggregate` rules keep seeds in the same chemical, or none does");
-        each_parameter(aggregate, [&](const Operand& operand) { check_parameter(operand); });
+        if (held != held_by(first) || aggregate.seed != first.seed)
+            fail("all `aggregate` rules keep order, potential, seed and size in the same chemicals, or none of a kind");
+        each_parameter(aggregate, [&](const Operand& operand) { check_parameter(operand, false); });
+        check_parameter(aggregate.grown, true);
     }
-    void check_parameter(const Operand& operand) const {
+    static std::vector<std::size_t> held_by(const Aggregate& aggregate) {
+        std::vector<std::size_t> held{aggregate.order, aggregate.potential};
+        if (aggregate.seed) held.push_back(*aggregate.seed);
+        if (aggregate.size) held.push_back(*aggregate.size);
+        return held;
+    }
+    void check_parameter(const Operand& operand, bool drawn) const {
         check_operand(operand);
         const auto check = [&](const Operand& part) {
             const Quantity quantity = part.quantity;
             if (quantity == Quantity::number || quantity == Quantity::iteration || quantity == Quantity::time) return;
-            fail("parameters of `aggregate` are the same for all sites: numbers, ITERATION and TIME");
+            if (drawn && quantity == Quantity::random) return;
+            fail(
+                "parameters of `aggregate` are the same for all sites: numbers, ITERATION and TIME, and RANDOM for a "
+                "size");
         };
         if (operand.quantity != Quantity::expression) return check(operand);
         each_operand(checked_expression(operand.index, "a rule"), check);
@@ -386,9 +393,7 @@ private:
         check_still();
         const Aggregate& aggregate = aggregate_of(experiment_);
         for (const Phase& phase : experiment_.phases) {
-            check_free(phase, aggregate.order);
-            check_free(phase, aggregate.potential);
-            if (aggregate.seed) check_free(phase, *aggregate.seed);
+            for (const std::size_t chemical : held_by(aggregate)) check_free(phase, chemical);
         }
     }
     void check_open() const {

@@ -1,9 +1,11 @@
-// aggregate ORDER POTENTIAL [seed SEED] [eta PAR] [radius PAR] [towards X Y strength PAR]: charges that gather.
+// aggregate ORDER POTENTIAL [eta PAR] [radius PAR] [towards X Y strength PAR] [seed SEED] [size SIZE PAR]: charges that
+// gather.
 #include "language/statements.hpp"
 
 #include <fmt/format.h>
 
 #include <array>
+#include <optional>
 
 namespace pelage::language {
 
@@ -13,7 +15,9 @@ namespace {
 std::size_t parse_held(Script& script, Cursor& cursor, const Aggregate& aggregate) {
     const Token& name = cursor.peek();
     const std::size_t chemical = script.chemical(cursor);
-    if (chemical == aggregate.order || chemical == aggregate.potential) {
+    for (const std::optional<std::size_t> other :
+         {std::optional(aggregate.order), std::optional(aggregate.potential), aggregate.seed, aggregate.size}) {
+        if (other != chemical) continue;
         cursor.fail(name,
                     fmt::format("'{}' holds something else of charges already; take another chemical", name.text));
     }
@@ -30,7 +34,7 @@ void parse_towards(Script& script, Cursor& cursor, Aggregate& aggregate) {
 }  // namespace
 
 Action parse_aggregate(Script& script, Cursor& cursor) {
-    static constexpr std::array<std::string_view, 4> words{"eta", "radius", "towards", "seed"};
+    static constexpr std::array<std::string_view, 5> words{"eta", "radius", "towards", "seed", "size"};
     Aggregate aggregate;
     aggregate.order = script.chemical(cursor);
     const Token& second = cursor.peek();
@@ -43,6 +47,9 @@ Action parse_aggregate(Script& script, Cursor& cursor) {
         if (*option == 1) aggregate.radius = parse_operand(script, cursor, "the radius");
         if (*option == 2) parse_towards(script, cursor, aggregate);
         if (*option == 3) aggregate.seed = parse_held(script, cursor, aggregate);
+        if (*option != 4) continue;
+        aggregate.size = parse_held(script, cursor, aggregate);
+        aggregate.grown = parse_operand(script, cursor, "the size of a new charge");
     }
     return aggregate;
 }

@@ -130,7 +130,10 @@ private:
     void look(const And&) {}
     void look(const Expand&) {}
     void look(const Aggregate& aggregate) {
-        chemicals.insert({aggregate.order, aggregate.potential, aggregate.seed.value_or(aggregate.order)});
+        chemicals.insert({aggregate.order, aggregate.potential});
+        if (aggregate.seed) chemicals.insert(*aggregate.seed);
+        if (aggregate.size) chemicals.insert(*aggregate.size);
+        read(aggregate.grown);
         each_parameter(aggregate, [&](const Operand& parameter) { read(parameter); });
     }
 

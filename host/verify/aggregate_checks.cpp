@@ -26,8 +26,8 @@ struct AggregateCase {
 
 // Seeds in a corner, few and many; no more candidates than a block of weights holds, and several blocks of them; every
 // parameter, as a number and as an expression; a lattice that is full in the end; walls with doors, and seeds whose
-// descent is kept.
-constexpr std::array<AggregateCase, 7> aggregate_cases{{
+// descent is kept; charges of many sizes.
+constexpr std::array<AggregateCase, 8> aggregate_cases{{
     {"aggregates/point", "61 47", "COLUMN == 30 and ROW == 23", "rule always aggregate order phi eta 3\n", true},
     {"aggregates/corner", "97 5", "COLUMN == 0 and ROW == 0", "rule always aggregate order phi eta 1\n"},
     {"aggregates/even", "40 37", "RANDOM < 0.02", "rule always aggregate order phi eta 0\n"},
@@ -40,11 +40,14 @@ constexpr std::array<AggregateCase, 7> aggregate_cases{{
      "rule every 2 always aggregate order phi eta 6\nrule from 50 always aggregate order phi eta 2.5\n", true},
     {"aggregates/walls", "83 41 where (mod(COLUMN, 9) != 8 or ROW == mod(7 * COLUMN, 41))",
      "mod(COLUMN, 36) == 3 and ROW == 20", "rule always aggregate order phi eta 2 seed family\n", true},
+    {"aggregates/sizes", "88 75", "RANDOM < 0.001 or ROW == COLUMN and ROW == 30",
+     "rule always aggregate order phi eta 4 size mass (0.01 + 20 * RANDOM ^ 3) towards 20 0 strength 5\n", true},
 }};
 
 Experiment experiment_of(const AggregateCase& one) {
     const std::string text = fmt::format(
-        "define chemical order\ndefine chemical phi\ndefine chemical family\nuse seed 7\ncreate charges {}\n"
+        "define chemical order\ndefine chemical phi\ndefine chemical family\ndefine chemical mass\nuse seed 7\ncreate "
+        "charges {}\n"
         "set cells where ({}) chemical order conc (1 + mod(COLUMN + ROW, 3))\n{}",
         one.size, one.seed, one.rules);
     return parse_experiment(text, one.name, ".");

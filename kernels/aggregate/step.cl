@@ -1,6 +1,7 @@
 // A particle of an aggregate: sums and their range, weights, the choice. Either each is a launch of its own, and groups
 // share the places among them in whole blocks, or one group carries out many particles in one launch.
 //   PELAGE_ITEMS   work-items of a group: 1, 2, 4 ...
+//   PELAGE_SIZES   1: charges are of different sizes, and `sizes` holds one for each
 
 #define BLOCK 256
 #define MOST_NEW 8
@@ -11,7 +12,7 @@ struct pelage_front {  // struct DeviceFront of opencl/aggregate/device.cpp
     int charges;
     uint last;    // the charge that sums do not hold yet; NO_SITE: none
     int added;    // candidates without a sum
-    int unused;
+    float last_size;
     long lowest;  // of all candidates' values
     long highest;
     int place[MOST_NEW];  // of those
@@ -24,6 +25,7 @@ struct pelage_front {  // struct DeviceFront of opencl/aggregate/device.cpp
     static inline type name(type v, local type* space) { return v; }
 #define SPACE(type, name) local type* const name = 0
 #define SYNC
+#define SHARED restrict
 #else
 #define ITEM ((int)get_local_id(0))
 #define REDUCE(type, name, combine)                                         \
@@ -43,6 +45,8 @@ struct pelage_front {  // struct DeviceFront of opencl/aggregate/device.cpp
     }
 #define SPACE(type, name) local type name[PELAGE_ITEMS]
 #define SYNC barrier(CLK_GLOBAL_MEM_FENCE | CLK_LOCAL_MEM_FENCE)
+// What items of a group tell each other is never `restrict`: a compiler would let each keep its own copy of it.
+#define SHARED
 #endif
 REDUCE(long, pelage_least, min(a, b))
 REDUCE(long, pelage_most, max(a, b))
@@ -63,13 +67,14 @@ static inline int pelage_share(int count, int unit, int group, int groups) {
 static inline int pelage_each(int count) { return (count - ITEM + PELAGE_ITEMS - 1) / PELAGE_ITEMS; }
 
 // The sum at a site over some charges.
-static inline long pelage_sum_at(uint site, global const uint* charges, int begin, int end,
-                                 local long* space) {
-    int inverses[PART];
+static inline long pelage_sum_at(uint site, global const uint* charges, global const float* sizes,
+                                 int begin, int end, local long* space) {
+    TERM inverses[PART];
     long sum = 0l;
     for (int first = begin; first < end; first += BLOCK) {
         const int each = pelage_each(min(BLOCK, end - first));
-        for (int n = 0; n < each; ++n) inverses[n] = pelage_inverse_distance(site, charges[OF(first, n)]);
+        for (int n = 0; n < each; ++n)
+            inverses[n] = pelage_term(site, charges[OF(first, n)], sizes[OF(first, n)]);
         for (int n = 0; n < each; ++n) sum += (long)inverses[n];
     }
     return pelage_sum_of(sum, space);
@@ -81,11 +86,11 @@ struct pelage_range {
 
 // The places of a block take in the last charge.
 static inline struct pelage_range pelage_gather_block(global const uint* places, global long* sums,
-                                                      int first, int each, uint last,
+                                                      int first, int each, uint last, float size,
                                                       const struct pelage_particle particle) {
-    int inverses[PART];
+    TERM inverses[PART];
     struct pelage_range range = {LONG_MAX, LONG_MIN};
-    for (int n = 0; n < each; ++n) inverses[n] = pelage_inverse_distance(places[OF(first, n)], last);
+    for (int n = 0; n < each; ++n) inverses[n] = pelage_term(places[OF(first, n)], last, size);
     if (last != NO_SITE) {
         for (int n = 0; n < each; ++n) sums[OF(first, n)] += (long)inverses[n];
     }
@@ -118,16 +123,18 @@ static inline void pelage_weigh_block(const struct pelage_scale scale, const str
 // Sums take in the last charge. For each group: the range of its candidates' values, and what its share of the older
 // charges adds to each new candidate.
 static inline void pelage_gather(global const uint* places, global long* sums,
-                                 global const uint* charges, global const struct pelage_front* front,
+                                 global const uint* charges, global const float* sizes,
+                                 global const struct pelage_front* front,
                                  const struct pelage_particle particle, int group, int groups,
                                  global long* ranges, global long* parts, local long* space) {
     const uint last = front->last;
+    const float size = front->last_size;
     const int begin = pelage_share(front->places, BLOCK, group, groups);
     const int end = pelage_share(front->places, BLOCK, group + 1, groups);
     long lowest = LONG_MAX, highest = LONG_MIN;
     for (int first = begin; first < end; first += BLOCK) {
         const int each = pelage_each(min(BLOCK, end - first));
-        const struct pelage_range range = pelage_gather_block(places, sums, first, each, last, particle);
+        const struct pelage_range range = pelage_gather_block(places, sums, first, each, last, size, particle);
         lowest = min(lowest, range.lowest);
         highest = max(highest, range.highest);
     }
@@ -136,7 +143,7 @@ static inline void pelage_gather(global const uint* places, global long* sums,
     const int older = front->charges - 1;
     const int from = pelage_share(older, 1, group, groups), until = pelage_share(older, 1, group + 1, groups);
     for (int n = 0; n < front->added; ++n) {
-        const long sum = pelage_sum_at(front->site[n], charges, from, until, space);
+        const long sum = pelage_sum_at(front->site[n], charges, sizes, from, until, space);
         if (ITEM == 0) parts[group * MOST_NEW + n] = sum;
     }
     if (ITEM == 0) {
@@ -160,7 +167,7 @@ static inline void pelage_weigh(global uint* places, global long* sums,
     for (int n = 0; n < front->added; ++n) {
         const int place = front->place[n];
         const uint site = front->site[n];
-        long sum = (long)pelage_inverse_distance(site, front->last);
+        long sum = (long)pelage_term(site, front->last, front->last_size);
         for (int g = 0; g < groups; ++g) sum += parts[g * MOST_NEW + n];
         const long value = pelage_value(particle, site, sum);
         lowest = min(lowest, value);
@@ -201,16 +208,20 @@ static inline void pelage_add(int x, int y, int columns, global uint* places, gl
 }
 
 // The candidate in a place becomes a charge.
-static inline void pelage_take(int place, int columns, int rows, global uint* places, global long* sums,
-                               global uint* charges, global int* left, global int* sites,
+static inline void pelage_take(int place, float size, int columns, int rows, global uint* places, global long* sums,
+                               global uint* charges, global float* sizes, global int* left, global int* sites,
                                global struct pelage_front* front) {
     const uint site = places[place];
     const int x = SITE_X(site), y = SITE_Y(site);
     places[place] = NO_SITE;
     left[front->left++] = place;
     sites[(long)y * columns + x] = -2;
+#if PELAGE_SIZES
+    sizes[front->charges] = size;
+#endif
     charges[front->charges++] = site;
     front->last = site;
+    front->last_size = size;
     for (int i = max(x - 1, 0); i <= min(x + 1, columns - 1); ++i) {
         for (int j = max(y - 1, 0); j <= min(y + 1, rows - 1); ++j)
             pelage_add(i, j, columns, places, sums, left, sites, front);
@@ -241,7 +252,7 @@ static inline int pelage_chosen(const struct pelage_particle particle, global co
 }
 
 // A candidate becomes a charge, where there is one.
-static inline void pelage_choose(global uint* places, global long* sums, global uint* charges,
+static inline void pelage_choose(global uint* places, global long* sums, global uint* charges, global float* sizes,
                                  global struct pelage_front* front, const struct pelage_particle particle,
                                  global const ulong* blocks, global int* left, global int* sites, global uint* chosen,
                                  int columns, int rows, local ulong* weights) {
@@ -252,5 +263,6 @@ static inline void pelage_choose(global uint* places, global long* sums, global 
     *chosen = none ? NO_SITE : places[place];
     front->last = NO_SITE;
     front->added = 0;
-    if (!none) pelage_take(place, columns, rows, places, sums, charges, left, sites, front);
+    if (none) return;
+    pelage_take(place, particle.size, columns, rows, places, sums, charges, sizes, left, sites, front);
 }

@@ -20,19 +20,37 @@ static inline float pelage_inverse_root(float d) {
     return y * (1.5f - (half_d * y) * y);
 }
 
-// 2^30 / r, rounded to a whole number.
-static inline int pelage_inverse_distance(uint one, uint other) {
+// Size * 2^30 / r of the other one, rounded to a whole number. Where all charges have the size 1, an int holds it.
+#if PELAGE_SIZES
+#define TERM long
+#define CONVERT_TERM convert_long
+#define SIZED(parts, size) ((parts) * (size))
+#else
+#define TERM int
+#define CONVERT_TERM convert_int
+#define SIZED(parts, size) (parts)
+#endif
+
+static inline TERM pelage_sized_term(uint one, uint other, float size) {
     const int x = SITE_X(one) - SITE_X(other);
     const int y = SITE_Y(one) - SITE_Y(other);
-    const float parts = pelage_inverse_root(convert_float(x * x + y * y)) * 0x1p30f;
-    return convert_int(parts < 0x1p23f ? (parts + 0x1p23f) - 0x1p23f : parts);  // beyond there are whole ones alone
+    const float parts = SIZED(pelage_inverse_root(convert_float(x * x + y * y)) * 0x1p30f, size);
+    return CONVERT_TERM(parts < 0x1p23f ? (parts + 0x1p23f) - 0x1p23f : parts);  // beyond there are whole ones alone
 }
+
+#if PELAGE_SIZES
+#define pelage_term(one, other, size) pelage_sized_term(one, other, size)
+#else
+#define pelage_term(one, other, size) pelage_sized_term(one, other, 1.0f)  // `sizes` holds none
+#endif
 
 struct pelage_particle {  // struct DeviceParticle of opencl/aggregate/device.cpp
     float eta;
     float pull;
     float x, y;
     ulong draw;
+    float size;
+    float unused;
 };
 
 // What a place gives to the candidates near it.

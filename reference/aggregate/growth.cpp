@@ -51,12 +51,13 @@ std::optional<std::uint32_t> Growth::choose(const Particle& particle) {
     return places[place];
 }
 
-void Growth::take(std::uint32_t site) {
+void Growth::take(std::uint32_t site, float size) {
     const auto columns = static_cast<std::uint32_t>(front_.columns());
-    front_.take(site);
+    front_.take(site, size);
     sums_.resize(front_.places().size());
     for (std::size_t place = 0; place < sums_.size(); ++place) {
-        if (front_.places()[place] != no_site) sums_[place] += inverse_distance(front_.places()[place], site, columns);
+        if (front_.places()[place] != no_site)
+            sums_[place] += inverse_distance(front_.places()[place], site, columns, size);
     }
     for (const std::uint32_t place : front_.added()) sums_[place] = sum_at(front_.places()[place], front_);
 }

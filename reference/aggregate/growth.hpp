@@ -18,10 +18,10 @@ public:
     // The site that the draw falls on; nothing where no candidate is left.
     std::optional<std::uint32_t> choose(const Particle&);
     // A free site becomes a charge.
-    void take(std::uint32_t site);
+    void take(std::uint32_t site, float size = 1.0f);
 
     const Front& front() const { return front_; }
-    const std::vector<std::int64_t>& sums() const { return sums_; }         // of 1 / r, one a place, in parts
+    const std::vector<std::int64_t>& sums() const { return sums_; }         // of size / r, one a place, in parts
     const std::vector<std::uint64_t>& weights() const { return weights_; }  // of the last choice, one a place
 
 private:

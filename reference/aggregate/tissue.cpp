@@ -26,7 +26,7 @@ private:
             for (const Arrival& arrival : arrivals(experiment(), iteration, 1, state_)) {
                 const auto site = growth_.choose(arrival.particle);
                 if (!site) return;
-                growth_.take(*site);
+                growth_.take(*site, arrival.particle.size);
                 state_.birth[*site] = static_cast<std::uint32_t>(iteration);
             }
         }

@@ -110,3 +110,24 @@ TEST_CASE("seeds of charges are kept in a chemical of their own, the same in all
                                rule),
                Contains("'family'") && Contains("no bounds"));
 }
+
+TEST_CASE("the size of a new charge may be drawn, and is kept in a chemical of its own") {
+    const std::string start = charges_start + "define chemical mass\n";
+    const Experiment e =
+        parse_experiment(start + "rule always aggregate order phi size mass (1 + RANDOM) eta 2\n", "t.pex", ".");
+    const auto& aggregate = std::get<Aggregate>(e.rules.at(0).action);
+    CHECK(aggregate.size == 2);
+    CHECK(aggregate.grown.quantity == Quantity::expression);
+    CHECK(charges_message(start + "rule always aggregate order phi size mass RANDOM\n") == "(none)");
+    CHECK_THAT(charges_message(start + "rule always aggregate order phi size mass\n"),
+               Contains("t.pex:5:42") && Contains("the size of a new charge must be one of"));
+    CHECK_THAT(charges_message(start + "rule always aggregate order phi size 3\n"),
+               Contains("t.pex:5:38") && Contains("unknown chemical '3'"));
+    CHECK(charges_message(start + "rule always aggregate order phi seed mass size mass 2\n") ==
+          "t.pex:5:48: 'mass' holds something else of charges already; take another chemical");
+    CHECK_THAT(charges_message(start + "rule always aggregate order phi size mass X\n"),
+               Contains("t.pex:5") && Contains("the same for all sites"));
+    CHECK_THAT(
+        charges_message(start + "rule always aggregate order phi size mass 2\nrule always aggregate order phi\n"),
+        Contains("t.pex:6") && Contains("same chemicals"));
+}

@@ -21,13 +21,15 @@ constexpr std::size_t most_new = 8;  // candidates that one charge makes
 struct DeviceParticle {  // struct pelage_particle of kernels/aggregate/terms.cl
     cl_float eta, pull, x, y;
     cl_ulong draw;
+    cl_float size;
+    cl_float unused;
 };
 
 struct DeviceFront {  // struct pelage_front of kernels/aggregate/step.cl
     cl_int places = 0, left = 0, charges = 0;
     cl_uint last = no_site;
     cl_int added = 0;
-    cl_int unused = 0;
+    cl_float last_size = 1.0f;
     cl_long lowest = 0, highest = 0;
     cl_int place[most_new]{};
     cl_uint site[most_new]{};
@@ -48,7 +50,9 @@ std::string source() {
 
 constexpr std::size_t turns_a_launch = 50'000;  // of loops, where a device ends them silently after 65,535
 
-std::string options(std::size_t items) { return fmt::format("-DPELAGE_ITEMS={}", items); }
+std::string options(std::size_t items, bool sized) {
+    return fmt::format("-DPELAGE_ITEMS={} -DPELAGE_SIZES={}", items, sized ? 1 : 0);
+}
 
 // A power of two. A processor takes one item a group, whose loops its compiler turns into vectors.
 std::size_t items_of(const Session& session) {
@@ -74,8 +78,9 @@ std::size_t places_of_one_group(const Session& session) {
 
 }  // namespace
 
-DeviceAggregate::DeviceAggregate(std::shared_ptr<const Session> session)
+DeviceAggregate::DeviceAggregate(std::shared_ptr<const Session> session, bool sized)
     : session_(std::move(session)),
+      sized_(sized),
       items_(items_of(*session_)),
       groups_(groups_of(*session_)),
       places_of_one_group_(places_of_one_group(*session_)) {
@@ -89,7 +94,7 @@ DeviceAggregate::DeviceAggregate(std::shared_ptr<const Session> session)
 
 // False where a group of so many work-items is too large for one of the kernels, whose sums are cut for it.
 bool DeviceAggregate::build() {
-    const cl::Program program = session_->build(source(), options(items_));
+    const cl::Program program = session_->build(source(), options(items_, sized_));
     gather_ = cl::Kernel(program, "pelage_aggregate_gather");
     weigh_ = cl::Kernel(program, "pelage_aggregate_weigh");
     choose_ = cl::Kernel(program, "pelage_aggregate_choose");
@@ -130,6 +135,7 @@ void DeviceAggregate::reserve(const Front& front) {
     if (charges > charge_room_) {
         charge_room_ = charges + charges / 2;
         enlarge(charges_, charge_room_ * sizeof(cl_uint), "charges");
+        enlarge(sizes_, (sized_ ? charge_room_ : 1) * sizeof(cl_float), "sizes of charges");
     }
 }
 
@@ -142,13 +148,13 @@ void DeviceAggregate::write_front(const Front& front) {
 }
 
 void DeviceAggregate::bind(const Front& front) {
-    Arguments(*session_, gather_).add(places_, sums_, charges_, front_, particles_, 0, ranges_, parts_);
+    Arguments(*session_, gather_).add(places_, sums_, charges_, sizes_, front_, particles_, 0, ranges_, parts_);
     Arguments(*session_, weigh_).add(places_, sums_, front_, particles_, 0, ranges_, parts_, blocks_);
     Arguments(*session_, choose_)
-        .add(places_, sums_, charges_, front_, particles_, 0, blocks_, left_, sites_, chosen_, front.columns(),
+        .add(places_, sums_, charges_, sizes_, front_, particles_, 0, blocks_, left_, sites_, chosen_, front.columns(),
              front.rows());
     Arguments(*session_, together_)
-        .add(places_, sums_, charges_, front_, particles_, 0, ranges_, parts_, blocks_, left_, sites_, chosen_,
+        .add(places_, sums_, charges_, sizes_, front_, particles_, 0, ranges_, parts_, blocks_, left_, sites_, chosen_,
              front.columns(), front.rows());
 }
 
@@ -162,19 +168,20 @@ void DeviceAggregate::upload(const Front& front, const std::vector<std::int64_t>
     const std::vector<cl_uint> places = pack(front.places()), charges = pack(front.charges());
     fill(places_, places.data(), places.size() * sizeof(cl_uint));
     fill(charges_, charges.data(), charges.size() * sizeof(cl_uint));
+    if (sized_) fill(sizes_, front.sizes().data(), charges.size() * sizeof(cl_float));
     fill(left_, front.left().data(), front.left().size() * sizeof(cl_uint));
     const std::size_t bytes = front.sites().size() * sizeof(cl_int);
     sites_ = session_->buffer(bytes, "sites of an aggregate");
     fill(sites_, front.sites().data(), bytes);
     if (!sums.empty()) return fill(sums_, sums.data(), sums.size() * sizeof(cl_long));
-    Arguments(*session_, add_up_).add(places_, sums_, charges_, places.size(), charges.size());
+    Arguments(*session_, add_up_).add(places_, sums_, charges_, sizes_, places.size(), charges.size());
     session_->launch(add_up_, cl::NDRange(groups_ * items_), cl::NDRange(items_));
 }
 
 void DeviceAggregate::launch_step(std::size_t step, bool choose) {
-    gather_.setArg(5, static_cast<cl_int>(step));
+    gather_.setArg(6, static_cast<cl_int>(step));
     weigh_.setArg(4, static_cast<cl_int>(step));
-    choose_.setArg(5, static_cast<cl_int>(step));
+    choose_.setArg(6, static_cast<cl_int>(step));
     session_->launch(gather_, cl::NDRange(groups_ * items_), cl::NDRange(items_));
     session_->launch(weigh_, cl::NDRange(groups_ * items_), cl::NDRange(items_));
     if (choose) session_->launch(choose_, cl::NDRange(items_), cl::NDRange(items_));
@@ -193,11 +200,11 @@ std::vector<std::uint32_t> DeviceAggregate::grow(const Front& front, std::span<c
     reserve(front);
     write_front(front);
     std::vector<DeviceParticle> asked;
-    for (const Particle& one : particles) asked.push_back({one.eta, one.pull, one.x, one.y, one.draw});
+    for (const Particle& one : particles) asked.push_back({one.eta, one.pull, one.x, one.y, one.draw, one.size, 0.0f});
     fill(particles_, asked.data(), asked.size() * sizeof(DeviceParticle));
     bind(front);
     if (front.places().size() <= places_of_one_group_) {
-        together_.setArg(5, static_cast<cl_int>(asked.size()));
+        together_.setArg(6, static_cast<cl_int>(asked.size()));
         session_->launch(together_, cl::NDRange(items_), cl::NDRange(items_));
     } else {
         for (std::size_t step = 0; step < asked.size(); ++step) launch_step(step, true);

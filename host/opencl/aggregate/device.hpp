@@ -15,7 +15,8 @@ inline constexpr std::size_t most_particles_at_once = 256;
 
 class DeviceAggregate {
 public:
-    explicit DeviceAggregate(std::shared_ptr<const Session>);
+    // `sized`: charges are of different sizes.
+    DeviceAggregate(std::shared_ptr<const Session>, bool sized);
 
     // With no `sums` they are added up anew.
     void upload(const Front&, const std::vector<std::int64_t>& sums);
@@ -39,6 +40,7 @@ private:
     void launch_step(std::size_t step, bool choose);
 
     std::shared_ptr<const Session> session_;
+    bool sized_;
     std::size_t items_;  // of a group
     std::size_t groups_;
     std::size_t places_of_one_group_;
@@ -46,7 +48,7 @@ private:
     std::size_t place_room_ = 0;
     std::size_t charge_room_ = 0;
     cl::Buffer places_, sums_, blocks_, left_;  // one a place, or a block of places
-    cl::Buffer charges_, sites_;
+    cl::Buffer charges_, sizes_, sites_;
     cl::Buffer front_, particles_, chosen_, ranges_, parts_;
 };
 

@@ -19,7 +19,8 @@ public:
         : Tissue(std::move(shared), initial),
           session_(std::move(session)),
           aggregate_(aggregate_of(experiment())),
-          device_(with_device(session_->info().name, [&] { return DeviceAggregate(session_); })) {
+          device_(with_device(session_->info().name,
+                              [&] { return DeviceAggregate(session_, aggregate_.size.has_value()); })) {
         do_write(initial);
     }
 
@@ -47,7 +48,7 @@ private:
         for (const Arrival& arrival : asked) particles.push_back(arrival.particle);
         const auto sites = with_device(session_->info().name, [&] { return device_.grow(front_, particles); });
         for (std::size_t i = 0; i < sites.size(); ++i) {
-            front_.take(sites[i]);
+            front_.take(sites[i], asked[i].particle.size);
             state_.birth[sites[i]] = static_cast<std::uint32_t>(asked[i].iteration);
         }
     }
