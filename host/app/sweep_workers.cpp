@@ -138,8 +138,8 @@ Workers::Workers(const std::vector<Crew>& crews, sweep::Share& share, const Tile
     } catch (...) {
         share.end(std::current_exception());
     }
-    for (const auto& [backend, batch] : all)
-        threads_.emplace_back([&share, &runner, backend, batch] { work(*backend, batch, share, runner); });
+    for (const auto& one : all)
+        threads_.emplace_back([&share, &runner, one] { work(*one.first, one.second, share, runner); });
 }
 
 }  // namespace pelage::app
