@@ -204,14 +204,19 @@ private:
     int stop_broken(const Breakdown& breakdown) {
         progress_.clear();
         const Snapshot state = read();
-        const std::filesystem::path saved = recorder_.dump(state);
-        recorder_.settle();
-        const std::string film_failure = end_film();
-        progress_.clear();
-        recorder_.manifest(state, tally_, "non-finite");
-        if (!film_failure.empty()) say(stderr, "pelage: {}\n", film_failure);
-        say(stderr, "pelage: {}: {}; the state is in {}\n", experiment_.source, describe(breakdown, tissue_),
-            saved.string());
+        const std::string what = fmt::format("{}: {}", experiment_.source, describe(breakdown, tissue_));
+        try {
+            const std::filesystem::path saved = recorder_.dump(state);
+            recorder_.settle();
+            const std::string film_failure = end_film();
+            progress_.clear();
+            recorder_.manifest(state, tally_, "non-finite");
+            if (!film_failure.empty()) say(stderr, "pelage: {}\n", film_failure);
+            say(stderr, "pelage: {}; the state is in {}\n", what, saved.string());
+        } catch (const Error& error) {  // what happened is told all the same
+            progress_.clear();
+            say(stderr, "pelage: {}\npelage: {}\n", what, error.what());
+        }
         return failed_check;
     }
 

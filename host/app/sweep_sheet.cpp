@@ -57,6 +57,10 @@ ordered_json colours_of(const Output& output, const ValueRange& range) {
     return colours;
 }
 
+constexpr std::size_t largest_sheet = 32'000;  // what cairo draws, less room for labels
+
+bool too_large(const Picture& picture) { return std::max(picture.columns, picture.rows) > largest_sheet; }
+
 }  // namespace
 
 std::string draw_sheet(const std::filesystem::path& folder, const Experiment& experiment,
@@ -66,8 +70,14 @@ std::string draw_sheet(const std::filesystem::path& folder, const Experiment& ex
     constexpr std::size_t least = 96;  // pixels of a tile's longer side
     const Output& output = experiment.outputs.at(first_of_colours(experiment.outputs));
     const sweep::Layout layout = sweep::layout(axes, tiles.size(), across);
-    const sweep::Mosaic mosaic = sweep::mosaic(tiles, layout, output, least);
+    sweep::Mosaic mosaic = sweep::mosaic(tiles, layout, output, least);
+    if (too_large(mosaic.picture)) mosaic = sweep::mosaic(tiles, layout, output, 1);
     if (mosaic.picture.pixels.empty()) return "no tile could be drawn, so there is no contact sheet";
+    if (too_large(mosaic.picture))
+        return fmt::format(
+            "a sheet of {} x {} pixels cannot be drawn, {} are the most; the table and --format have "
+            "what the tiles are",
+            mosaic.picture.columns, mosaic.picture.rows, largest_sheet);
     if (!plotter_is_there()) {
         write_png(folder / "sheet.png", mosaic.picture);
         return "sheet.png has no labels: pelage-plot, which writes them, is not built (it needs libcairo2-dev)";

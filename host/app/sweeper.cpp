@@ -63,12 +63,13 @@ public:
 
     // The machines of this rank; none: one failed its self-test.
     std::vector<Machine> choose() const {
-        const Footprint needed = footprint(first_, last_, options_.run.precision, false);
-        check_cells(first_, needed);
+        if (!options_.run.formats.empty()) check_formats(options_.run, first_);
+        const auto [largest, needed] = largest_tile();
+        check_cells(largest, needed);
         std::vector<Machine> machines = sweep_machines(options_.run, first_, needed, ranks_);
         crews_of(machines);  // what they cannot do is said before anything is written
         for (const Machine& machine : machines) {
-            check_host_memory(first_, needed, worked(machine), usable_memory());
+            check_host_memory(largest, needed, worked(machine), usable_memory());
             if (!trusted(machine)) return {};
         }
         return machines;
@@ -115,6 +116,21 @@ public:
     }
 
 private:
+    // The one that needs most, of all tiles or of so many spread over them; each is read, so that what is wrong with it
+    // is said before the first one runs.
+    std::pair<Experiment, Footprint> largest_tile() const {
+        constexpr std::size_t most = 2000;
+        std::pair<Experiment, Footprint> found{first_, footprint(first_, last_, options_.run.precision, false)};
+        const std::size_t stride = (design_.points.size() + most - 1) / most;
+        for (std::size_t tile = stride; tile < design_.points.size(); tile += stride) {
+            Experiment experiment = runner_.named_experiment(tile);
+            const Footprint needed =
+                footprint(experiment, runner_.last_iteration(experiment), options_.run.precision, false);
+            if (needed.cells > found.second.cells) found = {std::move(experiment), needed};
+        }
+        return found;
+    }
+
     std::vector<Crew> crews_of(std::vector<Machine>& machines) const {
         const TileSize size{footprint(first_, last_, options_.run.precision, false), last_, design_.points.size()};
         std::vector<Crew> crews;
@@ -258,7 +274,12 @@ int run_sweep(const SweepOptions& options) {
     const std::unique_ptr<cluster::Ranks> ranks = cluster::join_ranks();
     try {
         return carry_out(options, ranks.get());
+    } catch (const cluster::FirstReason& reason) {
+        say(stderr, "pelage: {}\n", reason.what());
+        ranks->gather("");
+        return bad_input;
     } catch (const cluster::AnotherSaysWhy&) {
+        ranks->gather("");
         return bad_input;
     }
 }

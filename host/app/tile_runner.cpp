@@ -76,6 +76,14 @@ std::optional<std::string> TileRunner::run(Backend& backend, std::size_t tile) c
     return run(backend, ready(tile));
 }
 
+Experiment TileRunner::named_experiment(std::size_t tile) const {
+    try {
+        return experiment(tile);
+    } catch (const Error& error) {
+        throw Error(fmt::format("{}: {}", name_of(tile), error.what()));
+    }
+}
+
 TileRunner::Ready TileRunner::ready(std::size_t tile) const {
     try {
         Ready ready;

@@ -25,6 +25,7 @@ public:
 
     // Throws Error where the text, with the tile's values, is not an experiment whose results can be measured.
     Experiment experiment(std::size_t tile) const;
+    Experiment named_experiment(std::size_t tile) const;  // where it is wrong, the error says which tile it is
     std::uint64_t last_iteration(const Experiment&) const;
 
     // Runs it, writes its files and returns its row; empty: interrupted. Any thread.

@@ -58,6 +58,8 @@ void TrainingFiles::claim(bool resume) {
     when_killed_remove(lock_file_.c_str());
     if (!resume && fs::exists(saved))
         throw Error(fmt::format("'{}' is there already: go on from it with --resume, or remove it", saved.string()));
+    if (!resume && fs::exists(model_))
+        throw Error(fmt::format("'{}' is there already: name another file with --out, or remove it", model_.string()));
 }
 
 void TrainingFiles::save(const learn::Identity& identity, const learn::Course& course) const {

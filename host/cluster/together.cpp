@@ -1,8 +1,6 @@
 // See together.hpp.
 #include "cluster/together.hpp"
 
-#include "core/error.hpp"
-
 #include <algorithm>
 
 namespace pelage::cluster {
@@ -18,7 +16,7 @@ void together(Ranks* ranks, const std::function<void()>& part) {
     const std::vector<std::string> reasons = ranks->gather(reason);
     const auto first = std::ranges::find_if(reasons, [](const std::string& one) { return !one.empty(); });
     if (first == reasons.end()) return;
-    if (ranks->rank() == 0) throw Error(*first);
+    if (ranks->rank() == 0) throw FirstReason(*first);
     throw AnotherSaysWhy{};
 }
 

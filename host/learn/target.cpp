@@ -105,7 +105,7 @@ Levels levels_of(const Settings& settings, const Colours& picture, std::size_t r
         if (levels.back().size() < fewest_patches)
             throw Error(fmt::format(
                 "of the picture, {} x {} pixels at {:.3g} a cell, too little lies within the torus of {} cells a side; "
-                "give a larger picture, a smaller --scale or --size, or --wrap",
+                "give a larger picture, fewer --rotations, another --size, a smaller --scale, or --wrap",
                 picture.columns, picture.rows, scale_of(settings, picture), settings.shape.side));
     }
     return levels;

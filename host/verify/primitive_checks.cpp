@@ -115,7 +115,7 @@ std::vector<Keys> key_sets(Place& place, std::uint64_t seed) {
     // More keys than 16 bits count.
     Keys scattered{Words(2000), 100'000};
     for (std::uint32_t& key : scattered.keys) key = static_cast<std::uint32_t>(engine() % scattered.end);
-    if (!place.small()) sets.push_back(scattered);
+    if (!place.small() && place.loop_limit() == 0) sets.push_back(scattered);
     // More in a chunk than 16 bits count.
     if (!place.small() && place.loop_limit() == 0) sets.push_back({Words(140'001, 0), 16});
     return sets;

@@ -71,6 +71,11 @@ TEST_CASE("two trainings to one file are kept apart, and one that was killed sta
     first.child.signal(SIGKILL);
     CHECK(first.child.wait().exit_code == 128 + SIGKILL);
     fs::remove(folder / "a.checkpoint");
+    const test::Outcome over_a_model = command(training_words(folder, "a.npz", {"--steps", "2"}));
+    CHECK(over_a_model.exit_code == 2);
+    CHECK(over_a_model.err.find("a.npz' is there already: name another file with --out, or remove it") !=
+          std::string::npos);
+    fs::remove(folder / "a.npz");
     const test::Outcome third = command(training_words(folder, "a.npz", {"--steps", "2"}));
     INFO(third.err);
     CHECK(third.exit_code == 0);

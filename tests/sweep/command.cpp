@@ -268,6 +268,12 @@ TEST_CASE("a sweep that makes no sense says why") {
     CHECK_THAT(refused({"--vary", "side=8:9:3"}), Contains("--vary side: 8.5 is not a whole number"));
     const std::string sides = bench.folder.write("sides.csv", "side\n8\n8.5\n");
     CHECK_THAT(refused({"--points", sides}), Contains(": side (point 2): 8.5 is not a whole number"));
+    // What is wrong with a later tile is said before the first one runs.
+    CHECK_THAT(refused({"--vary", "side=8,9,0"}),
+               Contains("tile 2 (side=0): ") && Contains("is 0, which is out of range"));
+    CHECK_THAT(refused({"--vary", "side=8,30000000"}), Contains("30000000") || Contains("may be used"));
+    CHECK_THAT(refused({"--vary", "K=1,2", "--format", "xyz"}), Contains("unknown format 'xyz'"));
+    CHECK_THAT(refused({"--vary", "K=1,2", "--format", "ply"}), Contains("only a mesh makes a .ply file"));
     CHECK_THAT(refused({"--vary", "K=1,2", "--until", "steady", "0"}), Contains("steady TOLERANCE"));
     CHECK_THAT(refused({"--vary", "K=1,2", "--until", "calm", "0.1"}), Contains("steady TOLERANCE"));
     CHECK_THAT(refused({"--vary", "K=0:1:1001", "--vary", "F=0:0.1:1001"}), Contains("more than 1000000 tiles"));
