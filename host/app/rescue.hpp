@@ -1,6 +1,7 @@
 // What is left of a run whose device fails, or whose results cannot be written: the latest state, as a checkpoint.
 #pragma once
 
+#include "app/failure.hpp"
 #include "app/finite_guard.hpp"
 #include "app/progress.hpp"
 #include "app/recorder.hpp"
@@ -10,7 +11,6 @@
 #include "core/snapshot.hpp"
 
 #include <cstdint>
-#include <new>
 #include <optional>
 #include <string>
 #include <type_traits>
@@ -28,15 +28,8 @@ public:
     // command that goes on from it.
     template <class Write>
     void of_results(const Snapshot& state, Write write) {
-        std::string reason;
-        try {
-            return write();
-        } catch (const Error& error) {
-            reason = error.what();
-        } catch (const std::bad_alloc&) {
-            reason = "there is not enough memory to write the results";
-        }
-        give_up(state, reason);
+        const std::string reason = failure_of(write);
+        if (!reason.empty()) give_up(state, reason);
     }
 
     // Asks the device for something. Where it fails, the latest state that is at hand is saved; throws Error with both.

@@ -76,25 +76,28 @@ std::optional<std::string> TileRunner::run(Backend& backend, std::size_t tile) c
     return run(backend, ready(tile));
 }
 
-Experiment TileRunner::named_experiment(std::size_t tile) const {
+template <class Work>
+std::invoke_result_t<Work> TileRunner::named(std::size_t tile, Work work) const {
     try {
-        return experiment(tile);
+        return work();
     } catch (const Error& error) {
         throw Error(fmt::format("{}: {}", name_of(tile), error.what()));
     }
 }
 
+Experiment TileRunner::named_experiment(std::size_t tile) const {
+    return named(tile, [&] { return experiment(tile); });
+}
+
 TileRunner::Ready TileRunner::ready(std::size_t tile) const {
-    try {
+    return named(tile, [&] {
         Ready ready;
         ready.tile = tile;
         ready.experiment = std::make_shared<const Experiment>(experiment(tile));
         ready.initial = initial_state(*ready.experiment, options_.run.precision);
         ready.unstable = !options_.run.force && find_instability(*ready.experiment, ready.initial).has_value();
         return ready;
-    } catch (const Error& error) {
-        throw Error(fmt::format("{}: {}", name_of(tile), error.what()));
-    }
+    });
 }
 
 sweep::TileOptions TileRunner::course(const Ready& ready) const {
@@ -103,7 +106,7 @@ sweep::TileOptions TileRunner::course(const Ready& ready) const {
 
 std::optional<std::string> TileRunner::run(Backend& backend, const Ready& ready) const {
     const auto start = std::chrono::steady_clock::now();
-    try {
+    return named(ready.tile, [&]() -> std::optional<std::string> {
         std::optional<sweep::TileResult> result;
         if (!ready.unstable) {
             const auto tissue = backend.make_tissue(*ready.experiment, ready.initial);
@@ -112,9 +115,7 @@ std::optional<std::string> TileRunner::run(Backend& backend, const Ready& ready)
         }
         const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
         return row(ready, std::move(result).value_or(sweep::TileResult{}), seconds);
-    } catch (const Error& error) {
-        throw Error(fmt::format("{}: {}", name_of(ready.tile), error.what()));
-    }
+    });
 }
 
 std::string TileRunner::row(const Ready& ready, sweep::TileResult result, double seconds) const {

@@ -14,6 +14,7 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <type_traits>
 #include <vector>
 
 namespace pelage::app {
@@ -53,6 +54,8 @@ private:
     std::filesystem::path values_of(std::size_t tile) const;
     // For messages: "tile 3 (K=0.05)".
     std::string name_of(std::size_t tile) const;
+    template <class Work>  // does it; an error begins with that
+    std::invoke_result_t<Work> named(std::size_t tile, Work work) const;
     Experiment read(const std::vector<Setting>&, const sweep::Point&) const;
     void keep(const Experiment&, std::size_t tile, const Snapshot&) const;
 

@@ -3,6 +3,7 @@
 
 #include "app/choose_learner.hpp"
 #include "app/commands.hpp"
+#include "app/failure.hpp"
 #include "app/interrupt.hpp"
 #include "app/last_will.hpp"
 #include "app/memory.hpp"
@@ -139,14 +140,8 @@ private:
     // Writes. Where that cannot be done the training itself is not lost, if its checkpoint can be.
     template <class Write>
     void rescued(Write write) {
-        std::string reason;
-        try {
-            return write();
-        } catch (const Error& error) {
-            reason = error.what();
-        } catch (const std::bad_alloc&) {
-            reason = "there is not enough memory to write the results";
-        }
+        std::string reason = failure_of(write);
+        if (reason.empty()) return;
         line_->clear();
         try {
             if (safe_ != course_->steps()) save();

@@ -30,8 +30,8 @@ std::unique_ptr<Task> openmp_volume(const Experiment&, const Snapshot& initial);
 // Turing's reaction at the vertices of a mesh, in the order that the device has, too: 16 cells side by side.
 std::unique_ptr<Task> openmp_mesh(const Experiment&, const Snapshot& initial);
 
-// A network that is asked for every cell of a torus, nine-point stencil, three rows or more: a strip of rows each thread,
-// 16 cells side by side.
+// A network that is asked for every cell of a torus, nine-point stencil, three rows or more: a strip of rows each
+// thread, 16 cells side by side.
 std::unique_ptr<Task> openmp_network(const Experiment&, const Snapshot& initial);
 
 // Two chemicals, Turing reaction, collision: neighbour lists with a skin, reused until a cell has moved half of it;

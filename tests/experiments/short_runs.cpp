@@ -61,7 +61,8 @@ void run_part(std::size_t part) {
 TEST_CASE("every experiment parses and names its source and figure in the first line") {
     const std::regex named(
         "// (Malheiros.* (2017|2020), (supplement's figure [0-9]|figures? [0-9]|no figure)|"
-        "McConnell 2024, ((appendix,|its program's|no) preset|future work)|Pearson 1993, figure [0-9]|Mordvintsev et al. 2021, (no "
+        "McConnell 2024, ((appendix,|its program's|no) preset|future work)|Pearson 1993, figure [0-9]|Mordvintsev et "
+        "al. 2021, (no "
         "figure|figure "
         "[0-9])|Girgin & Sacan, figures? "
         "[0-9]).*: .+");

@@ -45,8 +45,8 @@ double fastest_wavelength(double pace, double far) {
 
 TEST_CASE("patterns of a map have the wavelength that grows fastest, to a tenth") {
     const Folder folder;
-    const Outcome outcome = command({"sweep", folder.write("map.pex", schnakenberg), "--vary", "pace=0.006:0.012:5", "--vary",
-                                     "far=0.12:0.15:5", "--out", folder / "out"});
+    const Outcome outcome = command({"sweep", folder.write("map.pex", schnakenberg), "--vary", "pace=0.006:0.012:5",
+                                     "--vary", "far=0.12:0.15:5", "--out", folder / "out"});
     INFO(outcome.err);
     REQUIRE(outcome.exit_code == 0);
     const auto rows = rows_of(read_all(folder / "out/sweep.csv"));
