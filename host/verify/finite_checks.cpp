@@ -39,7 +39,6 @@ public:
         }
     }
 
-    // For simulators.
     void in_last_cells() {
         for (std::size_t chemical = 0; chemical < state_.conc.size(); ++chemical) {
             place(chemical, state_.cells() - 1, no_number);
@@ -97,6 +96,15 @@ std::vector<Check> finite_checks() {
     return {{"values/not-finite", "not finite", true,
              [](Place& place) {
                  return search(place, lattice_case("reaction/fused").experiment({37, 26}));
+             }},
+            {"values/not-finite-far", "not finite", true,
+             [](Place& place) {
+                 if (place.small()) return Outcome{Verdict::skipped, {}, "left out with --small", {}};
+                 Outcome outcome;
+                 const Experiment wide = lattice_case("reaction/fused").experiment({65'559, 1});  // beyond 16 bits
+                 const Snapshot state = initial_state(wide, Precision::single_);
+                 Search(outcome, wide, state, place.backend({})).in_last_cells();
+                 return outcome;
              }},
             {"cells/not-finite", "not finite", true, [](Place& place) {
                  const CellCase& one = cell_cases().front();
