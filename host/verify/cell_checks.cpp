@@ -119,6 +119,10 @@ void pair_cells(Snapshot& state) { state.mirrors = {{0, 12}, {1, 11}, {11, 2}, {
 const CellCase resting{"cells/divide-after-rest",
                        "rule always change A conc 0.01\nrule from 25 probability 0.02 divide direction 45\n"};
 
+// Lists are mended around few children, again and again in one launch.
+const CellCase sparing{"cells/divide-now-and-then",
+                       "rule always change A conc 0.01\nrule probability 0.002 divide direction 45\n"};
+
 void spread_out(Snapshot& state) {
     constexpr std::size_t across = 16;
     for (std::size_t cell = 0; cell < state.cells(); ++cell) {
@@ -216,6 +220,8 @@ std::vector<Check> cell_checks() {
 
     checks.push_back({resting.name, "division", true,
                       [](Place& place) { return check_cells(resting, place, {{.path = Path::step}}, spread_out); }});
+    checks.push_back({sparing.name, "division", true,
+                      [](Place& place) { return check_cells(sparing, place, {{.path = Path::shared}}, spread_out); }});
     checks.push_back({"cells/near-zero", "special values", true, cells_near_zero});
     checks.push_back({"cells/many", "division", true, many_cells});
     return checks;
