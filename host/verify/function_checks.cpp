@@ -112,7 +112,7 @@ void compare_widths(Place& place, Precision precision, std::size_t index, Tally&
     const bool narrow = sizeof(T) == sizeof(float) && !place.subnormal_difference().empty();
     const Arguments<T> arguments = drawn_arguments<T>(function.parameters.size(),
                                                       place.small()  ? 64
-                                                      : place.full() ? 262144
+                                                      : place.full() ? 2097152
                                                                      : 65536,
                                                       place.seed(), narrow, numbers_named(index));
     const std::vector<T> expected = in_reference(index, arguments);
