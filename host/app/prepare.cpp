@@ -10,10 +10,12 @@
 #include "core/space.hpp"
 #include "core/stability.hpp"
 #include "io/checkpoint.hpp"
+#include "io/file_bytes.hpp"
 
 #include <fmt/format.h>
 #include <unistd.h>
 
+#include <cerrno>
 #include <fstream>
 #include <system_error>
 
@@ -138,9 +140,12 @@ void prepare_folder(const fs::path& folder) {
     if (failure) throw Error(fmt::format("folder {} cannot be made: {}", folder.string(), failure.message()));
     if (!fs::is_directory(folder)) throw Error(fmt::format("{} is not a folder", folder.string()));
     const fs::path probe = folder / fmt::format(".probe-{}", getpid());
+    errno = 0;
     const bool writable = std::ofstream(probe).put('\n').flush().good();
+    const int reason = errno;
     fs::remove(probe, failure);
-    if (!writable) throw Error(fmt::format("folder {} cannot be written to", folder.string()));
+    if (!writable)
+        throw Error(fmt::format("folder {} cannot be written to: {}", folder.string(), system_reason(reason)));
 }
 
 void prepare_json(const fs::path& file) {

@@ -201,6 +201,8 @@ std::vector<Point> samples(const std::vector<Range>& ranges, std::size_t count, 
 }
 
 std::vector<Point> read_points(const std::filesystem::path& path) {
+    if (std::filesystem::is_directory(path))
+        throw Error(fmt::format("{}: is a folder; a table of parameters is a text file", path.string()));
     std::ifstream file(path);
     if (!file) throw Error(fmt::format("{}: cannot be opened; it must be a table of parameters", path.string()));
     std::vector<std::string> names;

@@ -66,6 +66,7 @@ TEST_CASE("a folder that cannot be written to is refused before the run") {
     for (const std::string& out : bad) {
         check_refused(command({"run", file, "--backend", "reference", "--quiet", "--out", out}), out);
     }
+    CHECK_THAT(command({"run", file, "--quiet", "--out", "/proc"}).err, Contains("/proc cannot be written to: "));
     const Outcome json = command(
         {"run", file, "--backend", "reference", "--quiet", "--out", folder / "out", "--json", file + "/run.json"});
     check_refused(json, file);

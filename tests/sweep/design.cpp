@@ -124,4 +124,5 @@ TEST_CASE("a table of points, and tables that are none") {
     CHECK_THAT(problem("F,K\n"), Contains("holds no point"));
     CHECK_THAT(problem(""), Contains("holds no point"));
     CHECK_THROWS_WITH(read_points(folder / "none.csv"), Contains("cannot be opened"));
+    CHECK_THROWS_WITH(read_points(folder / "."), Contains("is a folder"));
 }
