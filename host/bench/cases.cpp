@@ -282,7 +282,7 @@ std::vector<Case> volume_cases() {
     return {one};
 }
 
-// Of each cell's six edges the neighbour's place and the weight are read (48 bytes), and where its list begins (4). An
+// Of each cell's six edges the neighbour's place and the weight are read (48 bytes), and how many they are (4). An
 // edge takes 3 operations a field.
 std::vector<Case> mesh_cases() {
     Case one;

@@ -94,8 +94,11 @@ Experiment on_mesh(const char* lattice_case_name) {
 
 Outcome check_mesh(const Experiment& experiment, Place& place) {
     Outcome outcome;
-    std::vector<Setting> settings{{}, {.work_group = 3}, {.variants = 1}};
-    if (place.full() && place.device().fp64) settings.push_back({.precision = Precision::double_});
+    std::vector<Setting> settings{{}, {.work_group = 3, .width = 1}, {.variants = 1}};
+    if (place.full()) settings.insert(settings.end(), {{.width = 2}, {.width = 4}, {.width = 8}, {.width = 16}});
+    if (place.full() && place.device().fp64) {
+        for (const std::size_t width : {0, 1, 4}) settings.push_back({.precision = Precision::double_, .width = width});
+    }
     std::vector<Snapshot> states;
     for (const Setting& setting : settings) {
         const Snapshot initial = initial_state(experiment, setting.precision);

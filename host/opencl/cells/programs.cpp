@@ -13,11 +13,6 @@ namespace {
 // Rules that come and go faster than this are tested by the kernel, so that steps can still be enqueued in batches.
 constexpr std::uint64_t shortest_stretch = 32;
 
-std::size_t default_width(const Session& session) {
-    if (session.options().width != 0) return session.options().width;
-    return session.info().processor() ? 16 : 1;
-}
-
 // Rules that act somewhere in [iteration, iteration + shortest_stretch), and the first iteration at which another does.
 std::vector<bool> active_soon(const Experiment& experiment, std::uint64_t iteration, std::uint64_t& until) {
     std::vector<bool> active;
@@ -33,7 +28,7 @@ std::vector<bool> active_soon(const Experiment& experiment, std::uint64_t iterat
 }  // namespace
 
 CellsPrograms::CellsPrograms(const Session& session, const Experiment& experiment, CellsPlan plan)
-    : session_(session), experiment_(experiment), plan_(std::move(plan)), width_(default_width(session)) {}
+    : session_(session), experiment_(experiment), plan_(std::move(plan)), width_(lanes_for(session)) {}
 
 CellsStep& CellsPrograms::at(std::uint64_t iteration, std::uint64_t& until, CellsForm form) {
     std::vector<bool> active = active_rules(experiment_, iteration);

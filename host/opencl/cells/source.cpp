@@ -260,7 +260,7 @@ CellsSource cells_step_source(const Experiment& experiment, const std::vector<bo
     if (plan.all_listed) source.text("#define PELAGE_ALL_LISTED\n");
     if (plan.mirrors) source.text("#define PELAGE_MIRRORS\n");
     if (rules.use.divides) source.text("#define PELAGE_DIVIDES\n");
-    source.file("common/prelude.cl").file("rules/philox.cl");
+    source.file("common/prelude.cl").file("common/gather.cl").file("rules/philox.cl");
     for (const std::string& file : rule_files(rules.use)) source.file(file);
     source.file("cells/state.cl");
     source.file("cells/step.cl", {{"LOAD", emitter.load()},

@@ -1,14 +1,12 @@
 // See state.hpp.
 #include "opencl/mesh/state.hpp"
 
-#include "core/error.hpp"
 #include "core/subnormal.hpp"
-
-#include <fmt/format.h>
+#include "opencl/mesh/lists.hpp"
 
 #include <algorithm>
 #include <cstdint>
-#include <limits>
+#include <span>
 #include <utility>
 
 namespace pelage {
@@ -23,21 +21,14 @@ cl::Buffer holding(const Session& session, const std::vector<V>& values, const c
     return buffer;
 }
 
-// The adjacency with cells renumbered by their place in the order; the neighbours of a cell keep theirs.
-Adjacency renumbered(const MeshSurface& surface) {
-    const Adjacency& from = surface.adjacency;
-    std::vector<std::uint32_t> place(surface.order.size());
-    for (std::size_t i = 0; i < place.size(); ++i) place[surface.order[i]] = static_cast<std::uint32_t>(i);
-    Adjacency to;
-    for (const std::uint32_t cell : surface.order) {
-        for (std::size_t entry = from.offsets[cell]; entry < from.offsets[cell + 1]; ++entry) {
-            to.indices.push_back(place[from.indices[entry]]);
-            to.weights.push_back(from.weights[entry]);
-        }
-        to.offsets.push_back(to.indices.size());
-    }
-    return to;
+// A column on its own, and those of the chemical i and of the next one, if there is one: kernels/mesh/pairs.cl.
+std::span<const std::vector<double>> alone(const std::vector<double>& column) { return {&column, 1}; }
+template <class List>
+auto pair(List& columns, std::size_t i) {
+    return std::span(columns).subspan(i, std::min<std::size_t>(2, columns.size() - i));
 }
+
+std::size_t whole_blocks(std::size_t cells) { return (cells + mesh_block - 1) / mesh_block * mesh_block; }
 
 }  // namespace
 
@@ -45,80 +36,88 @@ MeshState::MeshState(const Session& session, std::shared_ptr<const MeshSurface> 
                      std::size_t mappings)
     : session_(session),
       surface_(std::move(surface)),
+      pitch_(whole_blocks(surface_->cells())),
       chemicals_(chemicals),
       conc_(planes(chemicals, "concentrations")),
       spare_conc_(planes(chemicals, "concentrations")),
       rate_(planes(chemicals, "rates")),
       spare_rate_(planes(chemicals, "rates")),
       mapping_(planes(mappings, "mappings")),
-      ids_(holding(session, surface_->order, "ids")),
+      ids_(holding(session, filled(surface_->order), "ids")),
       places_(planes(3, "places")) {
-    for (std::size_t axis = 0; axis < 3; ++axis) upload(places_, axis, coordinates(*surface_, axis));
-    upload_adjacency();
+    for (std::size_t axis = 0; axis < 3; ++axis) upload(places_, axis, alone(coordinates(*surface_, axis)));
+    upload_lists();
 }
 
 cl::Buffer MeshState::planes(std::size_t count, const char* what) const {
-    return session_.buffer(count * cells() * session_.scalar_bytes(), what);
+    return session_.buffer(count * pitch_ * session_.scalar_bytes(), what);
 }
 
-void MeshState::upload_adjacency() {
-    const Adjacency adjacency = renumbered(*surface_);
-    if (adjacency.indices.size() > std::numeric_limits<std::uint32_t>::max())
-        throw Error(fmt::format("{} neighbours are more than a device can count", adjacency.indices.size()));
-    offsets_ = holding(session_, std::vector<std::uint32_t>(adjacency.offsets.begin(), adjacency.offsets.end()),
-                       "offsets of neighbours");
-    indices_ = holding(session_, adjacency.indices, "neighbours");
+void MeshState::upload_lists() {
+    const MeshLists lists = mesh_lists(*surface_);
+    rows_ = holding(session_, lists.rows, "begins of lists");
+    lengths_ = holding(session_, lists.lengths, "lengths of lists");
+    indices_ = holding(session_, lists.indices, "neighbours");
     if (session_.is_double()) {
-        weights_ = holding(session_, adjacency.weights, "weights of neighbours");
+        weights_ = holding(session_, lists.weights, "weights of neighbours");
         return;
     }
-    std::vector<float> weights;
-    for (const double weight : adjacency.weights) weights.push_back(in_precision<float>(weight));
+    std::vector<float> weights(lists.weights.size());
+    std::ranges::transform(lists.weights, weights.begin(), in_precision<float>);
     weights_ = holding(session_, weights, "weights of neighbours");
+}
+
+template <class V>
+std::vector<V> MeshState::filled(std::vector<V> values) const {
+    values.resize(pitch_);
+    return values;
 }
 
 template <class V>
 std::vector<V> MeshState::in_order(const std::vector<V>& by_id) const {
     std::vector<V> result(by_id.size());
     std::ranges::transform(surface_->order, result.begin(), [&](std::uint32_t id) { return by_id[id]; });
-    return result;
+    return filled(std::move(result));
 }
 
 template <class T>
-void MeshState::upload(const cl::Buffer& buffer, std::size_t plane, const std::vector<double>& by_id) {
-    std::vector<T> values(by_id.size());
-    std::ranges::transform(surface_->order, values.begin(),
-                           [&](std::uint32_t id) { return in_precision<T>(by_id[id]); });
-    const std::size_t bytes = values.size() * sizeof(T);
-    session_.queue().enqueueWriteBuffer(buffer, CL_TRUE, plane * bytes, bytes, values.data());
+void MeshState::upload(const cl::Buffer& buffer, std::size_t plane, Columns together) {
+    std::vector<T> values(together.size() * pitch_);
+    for (std::size_t i = 0; i < cells(); ++i) {
+        for (std::size_t k = 0; k < together.size(); ++k)
+            values[together.size() * i + k] = in_precision<T>(together[k][surface_->order[i]]);
+    }
+    session_.queue().enqueueWriteBuffer(buffer, CL_TRUE, plane * pitch_ * sizeof(T), values.size() * sizeof(T),
+                                        values.data());
 }
 
-void MeshState::upload(const cl::Buffer& buffer, std::size_t plane, const std::vector<double>& by_id) {
-    if (session_.is_double()) return upload<double>(buffer, plane, by_id);
-    upload<float>(buffer, plane, by_id);
+void MeshState::upload(const cl::Buffer& buffer, std::size_t plane, Columns together) {
+    if (session_.is_double()) return upload<double>(buffer, plane, together);
+    upload<float>(buffer, plane, together);
 }
 
 template <class T>
-void MeshState::download(const cl::Buffer& buffer, std::size_t plane, std::vector<double>& by_id) const {
-    std::vector<T> values(cells());
-    const std::size_t bytes = values.size() * sizeof(T);
-    session_.queue().enqueueReadBuffer(buffer, CL_TRUE, plane * bytes, bytes, values.data());
-    by_id.resize(cells());
-    for (std::size_t i = 0; i < values.size(); ++i) by_id[surface_->order[i]] = static_cast<double>(values[i]);
+void MeshState::download(const cl::Buffer& buffer, std::size_t plane, WritableColumns together) const {
+    std::vector<T> values(together.size() * pitch_);
+    session_.queue().enqueueReadBuffer(buffer, CL_TRUE, plane * pitch_ * sizeof(T), values.size() * sizeof(T),
+                                       values.data());
+    for (std::size_t k = 0; k < together.size(); ++k) {
+        together[k].resize(cells());
+        for (std::size_t i = 0; i < cells(); ++i)
+            together[k][surface_->order[i]] = static_cast<double>(values[together.size() * i + k]);
+    }
 }
 
-void MeshState::download(const cl::Buffer& buffer, std::size_t plane, std::vector<double>& by_id) const {
-    if (session_.is_double()) return download<double>(buffer, plane, by_id);
-    download<float>(buffer, plane, by_id);
+void MeshState::download(const cl::Buffer& buffer, std::size_t plane, WritableColumns together) const {
+    if (session_.is_double()) return download<double>(buffer, plane, together);
+    download<float>(buffer, plane, together);
 }
 
 void MeshState::write(const Snapshot& snapshot) {
     kept_ = snapshot;
-    for (std::size_t i = 0; i < chemicals_; ++i) {
-        upload(conc_, i, snapshot.conc[i]);
-        upload(rate_, i, snapshot.diff[i]);
-    }
-    for (std::size_t i = 0; i < snapshot.mappings.size(); ++i) upload(mapping_, i, snapshot.mappings[i]);
+    for (std::size_t i = 0; i < chemicals_; i += 2) upload(conc_, i, pair(snapshot.conc, i));
+    for (std::size_t i = 0; i < chemicals_; ++i) upload(rate_, i, alone(snapshot.diff[i]));
+    for (std::size_t i = 0; i < snapshot.mappings.size(); ++i) upload(mapping_, i, alone(snapshot.mappings[i]));
     neighbours_ = holding(session_, in_order(snapshot.neighbours), "neighbour counts");
     birth_ = holding(session_, in_order(snapshot.birth), "births");
     for (auto* columns : {&kept_.x, &kept_.y, &kept_.polarity_x, &kept_.polarity_y}) {
@@ -129,11 +128,9 @@ void MeshState::write(const Snapshot& snapshot) {
 
 Snapshot MeshState::read() const {
     Snapshot snapshot = kept_;
-    for (std::size_t i = 0; i < chemicals_; ++i) {
-        download(conc_, i, snapshot.conc[i]);
-        download(rate_, i, snapshot.diff[i]);
-    }
-    for (std::size_t i = 0; i < snapshot.mappings.size(); ++i) download(mapping_, i, snapshot.mappings[i]);
+    for (std::size_t i = 0; i < chemicals_; i += 2) download(conc_, i, pair(snapshot.conc, i));
+    for (std::size_t i = 0; i < chemicals_; ++i) download(rate_, i, {&snapshot.diff[i], 1});
+    for (std::size_t i = 0; i < snapshot.mappings.size(); ++i) download(mapping_, i, {&snapshot.mappings[i], 1});
     std::vector<std::int32_t> counts(cells());
     session_.queue().enqueueReadBuffer(neighbours_, CL_TRUE, 0, counts.size() * sizeof counts[0], counts.data());
     for (std::size_t i = 0; i < counts.size(); ++i) snapshot.neighbours[surface_->order[i]] = counts[i];
@@ -141,20 +138,21 @@ Snapshot MeshState::read() const {
 }
 
 void MeshState::fill_rate(std::size_t chemical, double rate) {
-    upload(rate_, chemical, std::vector<double>(cells(), rate));
+    upload(rate_, chemical, alone(std::vector<double>(cells(), rate)));
 }
 
 void MeshState::add_to(Arguments& arguments, bool writes_rates) {
-    const std::size_t bytes = chemicals_ * cells() * session_.scalar_bytes();
+    const std::size_t bytes = chemicals_ * pitch_ * session_.scalar_bytes();
     session_.poison_buffer(spare_conc_, bytes);
     if (writes_rates) session_.poison_buffer(spare_rate_, bytes);
-    arguments.add(conc_, spare_conc_, rate_, spare_rate_, mapping_, neighbours_, birth_, ids_, places_, offsets_,
+    arguments.add(conc_, spare_conc_, rate_, spare_rate_, mapping_, neighbours_, birth_, ids_, places_, rows_, lengths_,
                   indices_, weights_);
 }
 
 void MeshState::swap(bool rates) {
     std::swap(conc_, spare_conc_);
     if (rates) std::swap(rate_, spare_rate_);
+    neighbours_ = lengths_;
 }
 
 }  // namespace pelage

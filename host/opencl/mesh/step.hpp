@@ -7,6 +7,7 @@
 #include "opencl/mesh/state.hpp"
 #include "opencl/rules/numbers.hpp"
 
+#include <cstddef>
 #include <cstdint>
 #include <string>
 #include <vector>
@@ -26,8 +27,11 @@ public:
     void enqueue(MeshState&, const cl::Buffer& parameters, std::uint64_t first, std::uint64_t count, Pace&);
 
 private:
+    std::size_t group_for(std::size_t items) const;
+
     const Session& session_;
     std::uint64_t seed_;
+    std::size_t lanes_;  // cells that a work-item takes
     bool writes_rates_ = false;
     cl::Kernel kernel_;
 };
