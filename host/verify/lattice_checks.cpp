@@ -170,7 +170,7 @@ private:
         if (std::ranges::none_of(settings, concerns)) return;
         const State state = by_reference(experiment, precision);
         const std::string where = size.text();
-        if (size.cells() >= enough_cells && precision == Precision::single_) mistrust(state, where);
+        if (precision == Precision::single_) weigh(state, size, where);
         bool again = !place_.small();  // the first of them twice
         for (const Setting& setting : settings) {
             if (!concerns(setting)) continue;
@@ -225,10 +225,13 @@ private:
                                      layer_of(found, chemical, different_layer(expected, found, chemical))};
     }
 
-    void mistrust(const State& state, const std::string& where) {
-        trusted_ = true;
-        for (const std::string& doubt : mistrusted(state.before, state.after.back()))
-            doubts_.push_back(where + ": " + doubt);
+    // A size of few cells may end flat without a doubt about the case; where it does not, it proves something, too.
+    void weigh(const State& state, Size size, const std::string& where) {
+        const bool enough = size.cells() >= enough_cells;
+        const std::vector<std::string> found = mistrusted(state.before, state.after.back());
+        trusted_ = trusted_ || enough || found.empty();
+        if (!enough) return;
+        for (const std::string& doubt : found) doubts_.push_back(where + ": " + doubt);
     }
 
     void conclude() {
