@@ -5,6 +5,7 @@
 #include "io/atomic_file.hpp"
 #include "io/file_bytes.hpp"
 #include "io/npy_header.hpp"
+#include "io/number_type.hpp"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -17,26 +18,24 @@
 namespace pelage {
 namespace {
 
-struct Type {
-    std::size_t size;
-    double (*load)(const char*);
-};
-
-template <class T>
-Type type_of() {
-    return {sizeof(T), [](const char* from) { return static_cast<double>(load<T>(from)); }};
-}
-
-Type find_type(const std::string& descr, std::string_view name) {
-    static const auto& types = *new const std::map<std::string, Type, std::less<>>{
-        {"<f4", type_of<float>()},        {"<f8", type_of<double>()},        {"<i2", type_of<std::int16_t>()},
-        {"<i4", type_of<std::int32_t>()}, {"<i8", type_of<std::int64_t>()},  {"|i1", type_of<std::int8_t>()},
-        {"|u1", type_of<std::uint8_t>()}, {"<u2", type_of<std::uint16_t>()}, {"<u4", type_of<std::uint32_t>()},
-        {"|b1", type_of<std::uint8_t>()}};
+NumberType find_type(const std::string& descr, std::string_view name) {
+    static const auto& types =
+        *new const std::map<std::string, NumberType, std::less<>>{{"<f2", half_type()},
+                                                                  {"<f4", number_type<float>()},
+                                                                  {"<f8", number_type<double>()},
+                                                                  {"<i2", number_type<std::int16_t>()},
+                                                                  {"<i4", number_type<std::int32_t>()},
+                                                                  {"<i8", number_type<std::int64_t>()},
+                                                                  {"|i1", number_type<std::int8_t>()},
+                                                                  {"|u1", number_type<std::uint8_t>()},
+                                                                  {"<u2", number_type<std::uint16_t>()},
+                                                                  {"<u4", number_type<std::uint32_t>()},
+                                                                  {"|b1", number_type<std::uint8_t>()}};
     const auto found = types.find(descr);
     if (found == types.end()) {
-        throw Error(fmt::format(
-            "'{}' holds numbers of type '{}'; allowed are little-endian f4 f8 i1 i2 i4 i8 u1 u2 u4 b1", name, descr));
+        throw Error(
+            fmt::format("'{}' holds numbers of type '{}'; allowed are little-endian f2 f4 f8 i1 i2 i4 i8 u1 u2 u4 b1",
+                        name, descr));
     }
     return found->second;
 }

@@ -17,7 +17,7 @@ struct NpyArray {
     std::vector<double> values;      // row-major (C order), whatever the order in the file
 };
 
-// Little-endian float32/64, signed int8..64, unsigned int8..32 and bool; Fortran order in up to two dimensions.
+// Little-endian float16/32/64, signed int8..64, unsigned int8..32 and bool; Fortran order in up to two dimensions.
 // int64 beyond 2^53 is rounded. Throws Error naming the file on anything else, and on truncated or overlong files.
 NpyArray read_npy(const std::filesystem::path&);
 NpyArray parse_npy(std::string_view bytes, std::string_view name);  // the same from memory

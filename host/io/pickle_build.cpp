@@ -14,9 +14,13 @@ namespace {
 
 using Kind = PickleValue::Kind;
 
-constexpr std::array<std::string_view, 5> known_functions{"numpy.core.multiarray._reconstruct",
-                                                          "numpy._core.multiarray._reconstruct", "numpy.ndarray",
-                                                          "numpy.dtype", "_codecs.encode"};
+constexpr std::array<std::string_view, 7> known_functions{"numpy.core.multiarray._reconstruct",
+                                                          "numpy._core.multiarray._reconstruct",
+                                                          "numpy.core.numeric._frombuffer",
+                                                          "numpy._core.numeric._frombuffer",
+                                                          "numpy.ndarray",
+                                                          "numpy.dtype",
+                                                          "_codecs.encode"};
 
 bool is(const PickleValue& list, std::size_t place, Kind kind) {
     return list.kind == Kind::list && place < list.parts.size() && list.parts[place]->kind == kind;
@@ -53,6 +57,7 @@ PickleValue* PickleCalls::call(const PickleValue& function, const PickleValue& a
         type->bytes = arguments.parts[0]->bytes;
         return type;
     }
+    if (function.bytes.ends_with("_frombuffer")) return from_buffer(arguments);
     if (function.bytes == "numpy.ndarray") fail("it calls numpy.ndarray; a model's arrays are made by _reconstruct");
     if (!is(arguments, 0, Kind::function) || arguments.parts[0]->bytes != "numpy.ndarray")
         fail("it makes an array that is no numpy.ndarray");
@@ -92,18 +97,39 @@ void PickleCalls::build(PickleValue& what, const PickleValue& state) const {
     what.little = true;
 }
 
+// An array of protocol 5: numbers, type, shape, and C or F for their order.
+PickleValue* PickleCalls::from_buffer(const PickleValue& arguments) const {
+    if (!is(arguments, 0, Kind::text) || !is(arguments, 1, Kind::type) || !is(arguments, 2, Kind::list) ||
+        !is(arguments, 3, Kind::text) || arguments.parts.size() != 4) {
+        fail("it makes an array of something else than numbers, type, shape and order");
+    }
+    const std::string_view order = arguments.parts[3]->bytes;
+    if (order != "C" && order != "F") fail("it makes an array whose order is neither C nor F");
+    PickleValue* array = heap_.make(Kind::array);
+    array->shape = shape_of(*arguments.parts[2]);
+    array->type = arguments.parts[1];
+    array->fortran = order == "F";
+    array->bytes = arguments.parts[0]->bytes;
+    return array;
+}
+
+std::vector<std::size_t> PickleCalls::shape_of(const PickleValue& list) const {
+    std::vector<std::size_t> shape;
+    for (const PickleValue* length : list.parts) {
+        if (length->kind != Kind::number || length->number < 0)
+            fail("it holds an array whose shape is no list of lengths");
+        shape.push_back(static_cast<std::size_t>(length->number));
+    }
+    return shape;
+}
+
 // The state of an array: version, shape, type, whether in Fortran order, numbers.
 void PickleCalls::build_array(PickleValue& array, const PickleValue& state) const {
     if (!is(state, 1, Kind::list) || !is(state, 2, Kind::type) || !is(state, 3, Kind::number) ||
         state.parts.size() != 5) {
         fail("it holds an array whose state is not that of an array");
     }
-    array.shape.clear();
-    for (const PickleValue* length : state.parts[1]->parts) {
-        if (length->kind != Kind::number || length->number < 0)
-            fail("it holds an array whose shape is no list of lengths");
-        array.shape.push_back(static_cast<std::size_t>(length->number));
-    }
+    array.shape = shape_of(*state.parts[1]);
     array.type = state.parts[2];
     array.fortran = state.parts[3]->number != 0;
     const PickleValue& content = *state.parts[4];

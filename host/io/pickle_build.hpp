@@ -3,7 +3,9 @@
 
 #include "io/pickle_value.hpp"
 
+#include <cstddef>
 #include <string>
+#include <vector>
 
 namespace pelage {
 
@@ -18,6 +20,8 @@ public:
 
 private:
     PickleValue* decoded(const PickleValue& arguments);
+    PickleValue* from_buffer(const PickleValue& arguments) const;
+    std::vector<std::size_t> shape_of(const PickleValue& list) const;
     void build_array(PickleValue& array, const PickleValue& state) const;
     [[noreturn]] void fail(const std::string& what) const;
 

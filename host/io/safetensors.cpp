@@ -3,6 +3,7 @@
 
 #include "core/error.hpp"
 #include "io/file_bytes.hpp"
+#include "io/number_type.hpp"
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
@@ -46,21 +47,28 @@ private:
                            entry.contains("shape") && entry.contains("data_offsets");
         if (!whole) fail(fmt::format("'{}' has not the entries 'dtype', 'shape' and 'data_offsets'", key));
         const std::string type = entry["dtype"].get<std::string>();
-        if (type != "F32" && type != "F64")
-            fail(fmt::format("'{}' holds numbers of type '{}'; allowed are F32 and F64", key, type));
-        const std::size_t size = type == "F32" ? sizeof(float) : sizeof(double);
+        const NumberType number = type_of(type);
+        if (number.size == 0)
+            fail(fmt::format("'{}' holds numbers of type '{}'; allowed are BF16, F16, F32 and F64", key, type));
         NpyArray made{numbers(key, entry["shape"]), {}};
         const std::vector<std::size_t> range = numbers(key, entry["data_offsets"]);
         if (range.size() != 2 || range[0] > range[1] || range[1] > data_.size())
             fail(fmt::format("'{}' lies outside of the file", key));
         const std::string_view bytes = data_.substr(range[0], range[1] - range[0]);
-        std::size_t count = bytes.size() / size;
-        if (!fills(made.shape, count) || bytes.size() % size != 0)
+        std::size_t count = bytes.size() / number.size;
+        if (!fills(made.shape, count) || bytes.size() % number.size != 0)
             fail(fmt::format("'{}' has {} bytes of numbers, which do not fill its shape", key, bytes.size()));
         made.values.reserve(count);
-        for (const char* at = bytes.data(); count > 0; --count, at += size)
-            made.values.push_back(type == "F32" ? double{load<float>(at)} : load<double>(at));
+        for (const char* at = bytes.data(); count > 0; --count, at += number.size)
+            made.values.push_back(number.load(at));
         return made;
+    }
+
+    static NumberType type_of(const std::string& type) {
+        if (type == "BF16") return bfloat_type();
+        if (type == "F16") return half_type();
+        if (type == "F32") return number_type<float>();
+        return type == "F64" ? number_type<double>() : NumberType{};
     }
 
     static bool fills(const std::vector<std::size_t>& shape, std::size_t count) {

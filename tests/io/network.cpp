@@ -3,11 +3,18 @@
 #include "core/error.hpp"
 #include "io/archive.hpp"
 #include "io/npy.hpp"
+#include "io/number_type.hpp"
 #include "io/pickle.hpp"
 #include "scratch.hpp"
 
+#include <fmt/format.h>
 #include <catch2/catch.hpp>
 
+#include <array>
+#include <cmath>
+#include <cstdint>
+#include <limits>
+#include <set>
 #include <string>
 
 using Catch::Matchers::Contains;
@@ -47,8 +54,9 @@ std::string in_order(std::string header) {
     return std::string(1, static_cast<char>(header.size())) + std::string(7, '\0') + header;
 }
 
-const std::vector<std::string> small_files{"protocol2.npy", "protocol3.npy", "protocol4.npy",    "python2.npy",
-                                           "stored.npz",    "deflated.npz",  "plain.safetensors"};
+const std::vector<std::string> small_files{
+    "protocol2.npy", "protocol3.npy", "protocol4.npy", "protocol5.npy",     "protocol5_half.npy", "python2.npy",
+    "stored.npz",    "deflated.npz",  "half.npz",      "plain.safetensors", "half.safetensors",   "bfloat.safetensors"};
 
 }  // namespace
 
@@ -97,7 +105,7 @@ TEST_CASE("a pickle that asks for more than arrays of floats is refused, with wh
     CHECK_THAT(with("\x80\x02"
                     "cbuiltins\neval\n."),
                Contains("'builtins.eval'"));
-    CHECK_THAT(with("\x80\x05."), Contains("its protocol is 5; allowed are 2 to 4"));
+    CHECK_THAT(with("\x80\x06."), Contains("its protocol is 6; allowed are 2 to 5"));
     CHECK_THAT(with("\x80\x02Q."), Contains("operation 0x51"));
     CHECK_THAT(with("\x80\x02N."), Contains("it holds no list of arrays"));
     CHECK_THAT(with("\x80\x02]."), Contains("it holds 0 arrays"));
@@ -108,6 +116,66 @@ TEST_CASE("a pickle that asks for more than arrays of floats is refused, with wh
         network_problem(replaced(good, std::string("\x01\x00\x00\x00<", 5), std::string("\x01\x00\x00\x00>", 5))),
         Contains("big-endian"));
     CHECK_THAT(network_problem(replaced(good, "f4", "i4")), Contains("something else than arrays of floats"));
+}
+
+TEST_CASE(
+    "a pickle of protocol 5 that is damaged, or whose numbers lie outside of it, is refused with what was found") {
+    const std::string good = test::get(network_folder / "protocol5.npy");
+    const std::size_t begin = npy_content(good, "m").data() - good.data();
+    const auto with = [&](const std::string& pickle) { return network_problem(good.substr(0, begin) + pickle); };
+    for (const char* buffer : {"\x97", "\x98"})
+        CHECK_THAT(with("\x80\x05" + std::string(buffer) + "."), Contains("its numbers lie outside of it, in buffers"));
+    CHECK_THAT(with(std::string("\x80\x05\x96\xff\xff\xff\xff\xff\xff\xff\xff.", 12)), Contains("it is truncated"));
+    const std::string call =
+        "\x80\x05"
+        "cnumpy._core.numeric\n_frombuffer\n";
+    CHECK_THAT(with(call + ")R."), Contains("something else than numbers, type, shape and order"));
+    CHECK_THAT(network_problem(replaced(good, std::string("\x85\x94h\x1dt", 5), std::string("\x85\x94h\x17t", 5))),
+               Contains("neither C nor F"));
+    CHECK_THAT(network_problem(replaced(good, std::string("K\x04K\x03\x86", 5), std::string("K\x04K\x04\x86", 5))),
+               Contains("not as many numbers as its shape"));
+    CHECK_THAT(network_problem(replaced(good,
+                                        "\x8c\x01"
+                                        "C",
+                                        "\x8c\x01"
+                                        "F")),
+               Contains("Fortran order"));
+    CHECK_THAT(network_problem(replaced(good,
+                                        "\x8c\x02"
+                                        "f4",
+                                        "\x8c\x02"
+                                        "f3")),
+               Contains("f2, f4 or f8"));
+    CHECK_THAT(network_problem(replaced(good, std::string("K\x04K\x03\x86", 5), std::string("K\x04N\x86N", 5))),
+               Contains("is pickled and is not read"));
+}
+
+TEST_CASE("all numbers of 16 bits become the doubles that they are") {
+    std::set<double> found;
+    for (unsigned bits = 0; bits < 0x8000; ++bits) {
+        const double value = of_half(static_cast<std::uint16_t>(bits));
+        const double opposite = of_half(static_cast<std::uint16_t>(bits | 0x8000));
+        if (std::isnan(value) || std::signbit(value) || !std::signbit(opposite) || value != -opposite) {
+            REQUIRE(bits > 0x7c00);  // these are no numbers
+            REQUIRE(std::isnan(value));
+            REQUIRE(std::isnan(opposite));
+            continue;
+        }
+        found.insert(found.end(), value);
+        REQUIRE(*found.rbegin() == value);  // they ascend
+        REQUIRE(found.size() == bits + 1);
+    }
+    // Of IEEE 754: the smallest, the largest below the normal numbers, the smallest of these, 1, a third, the largest.
+    CHECK(of_half(0x0001) == 0x1p-24);
+    CHECK(of_half(0x03ff) == 0x1.ff8p-15);
+    CHECK(of_half(0x0400) == 0x1p-14);
+    CHECK(of_half(0x3c00) == 1);
+    CHECK(of_half(0x3555) == 0.333251953125);
+    CHECK(of_half(0x7bff) == 65504);
+    CHECK(of_half(0xfc00) == -std::numeric_limits<double>::infinity());
+    const std::string third("\xab\x3e", 2), nan("\xc0\x7f", 2);
+    CHECK(bfloat_type().load(third.data()) == 0.333984375);
+    CHECK(std::isnan(bfloat_type().load(nan.data())));
 }
 
 TEST_CASE("a pickle cannot make more of itself than it holds") {
@@ -149,7 +217,12 @@ TEST_CASE("safetensors files that are no networks") {
     CHECK_THAT(problem("{}"), Contains("has no array 'W0'"));
     CHECK_THAT(problem("{\"W0\": 3}"), Contains("'dtype', 'shape' and 'data_offsets'"));
     CHECK_THAT(problem("{,}"), Contains("no JSON object"));
-    CHECK_THAT(problem(R"({"W0":{"dtype":"BF16","shape":[1],"data_offsets":[0,2]}})"), Contains("type 'BF16'"));
+    CHECK_THAT(problem(R"({"W0":{"dtype":"F8_E5M2","shape":[1],"data_offsets":[0,1]}})"),
+               Contains("type 'F8_E5M2'; allowed are BF16, F16, F32 and F64"));
+    for (const char* type : {"BF16", "F16"}) {
+        const std::string half = fmt::format(R"({{"W0":{{"dtype":"{}","shape":[2],"data_offsets":[0,3]}}}})", type);
+        CHECK_THAT(network_problem(in_order(half) + "123"), Contains("'W0' has 3 bytes of numbers"));
+    }
     CHECK_THAT(problem(R"({"W0":{"dtype":"F32","shape":[1],"data_offsets":[0,4]}})"), Contains("outside of the file"));
     CHECK_THAT(problem(R"({"W0":{"dtype":"F32","shape":[9,-1],"data_offsets":[0,0]}})"), Contains("whole numbers"));
     CHECK_THAT(problem(R"({"W0":{"dtype":"F32","shape":[2,4000000000,4000000000],"data_offsets":[0,0]}})"),
@@ -208,11 +281,12 @@ TEST_CASE("random pickles are refused, and never crash") {
         state ^= state << 17;
         return state;
     };
-    const std::string good(npy_content(test::get(network_folder / "protocol4.npy"), "m").substr(0));
-    const std::string codes = "(.)]tebRchqjNKMJUTBCX\x80\x85\x86\x87\x88\x89\x8a\x8c\x8d\x8e\x93\x94\x95";
+    const std::string codes = "(.)]tebRchqjNKMJUTBCX\x80\x85\x86\x87\x88\x89\x8a\x8c\x8d\x8e\x93\x94\x95\x96\x97";
     std::size_t read = 0;
-    for (int round = 0; round < 20'000; ++round) {
-        std::string pickle = good;
+    const std::array<std::string, 2> files{test::get(network_folder / "protocol4.npy"),
+                                           test::get(network_folder / "protocol5.npy")};
+    for (std::size_t round = 0; round < 20'000; ++round) {
+        std::string pickle(npy_content(files[round % 2], "m"));
         for (std::uint64_t k = next() % 4 + 1; k > 0; --k)
             pickle[next() % pickle.size()] =
                 k % 2 == 0 ? codes[next() % codes.size()] : static_cast<char>(next() % 256);

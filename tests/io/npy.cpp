@@ -40,6 +40,7 @@ TEST_CASE("all number types of .npy files are read") {
     using Values = std::vector<double>;
 
     CHECK(parsed(of_type("<f4", 2, "\x00\x00\x80\x3f\x00\x00\x20\xc0"sv)).values == Values{1.0, -2.5});
+    CHECK(parsed(of_type("<f2", 3, "\x00\x3c\x55\xb5\x01\x00"sv)).values == Values{1.0, -0.333251953125, 0x1p-24});
     CHECK(parsed(of_type("<f8", 1, "\x18\x2d\x44\x54\xfb\x21\x09\x40"sv)).values == Values{3.141592653589793});
     CHECK(parsed(of_type("<i2", 2, "\x00\x80\x34\x12"sv)).values == Values{-32768, 0x1234});
     CHECK(parsed(of_type("<i4", 2, "\xff\xff\xff\xff\x78\x56\x34\x12"sv)).values == Values{-1, 0x12345678});
@@ -88,6 +89,8 @@ TEST_CASE("what is not a plain array is refused in words") {
 
     CHECK_THAT(npy_problem("GIF89a"), Contains("'a.npy' is not an .npy file"));
     CHECK_THAT(npy_problem(of_type(">f4", 1, "1234")), Contains("'>f4'") && Contains("allowed are"));
+    CHECK_THAT(npy_problem(of_type(">f2", 1, "12")), Contains("allowed are little-endian f2 f4 f8"));
+    CHECK_THAT(npy_problem(of_type("<f2", 2, "123")), Contains("truncated"));
     CHECK_THAT(npy_problem(of_type("|O", 1, "12345678")), Contains("'|O'"));
     CHECK_THAT(npy_problem(of_type("<c8", 1, "12345678")), Contains("'<c8'"));
     CHECK_THAT(npy_problem(of_type("<U4", 1, "1234567890123456")), Contains("'<U4'"));
