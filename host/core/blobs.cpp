@@ -1,4 +1,4 @@
-// See blobs.hpp. A spot is the product of what it is along a row and along a column.
+// See blobs.hpp. A spot is the product of what it is along a row, along a column and through the layers.
 #include "core/blobs.hpp"
 
 #include "core/functions.hpp"
@@ -14,7 +14,7 @@ namespace {
 
 constexpr double blob_reach = 8.0;  // in sigmas; beyond, a spot is below 2e-14
 
-struct Share {  // of a spot, in one column or row
+struct Share {  // of a spot, in one column, row or layer
     std::size_t place = 0;
     double value = 0.0;
 };
@@ -38,21 +38,38 @@ std::size_t drawn_place(std::uint32_t word, std::size_t count) {
     return static_cast<std::size_t>((std::uint64_t{word} * count) >> 32);
 }
 
-}  // namespace
+struct Box {
+    std::size_t columns = 0, rows = 0, layers = 1;
+    bool wrap = false;
+};
 
-std::vector<double> blob_values(const BlobField& blobs, const Lattice& lattice, std::int64_t seed, std::size_t place) {
-    std::vector<double> values(lattice.columns * lattice.rows, 0.0);
-    const bool wrap = lattice.boundary == Boundary::wrap;
+std::vector<double> values_in(const BlobField& blobs, const Box& box, std::int64_t seed, std::size_t place) {
+    std::vector<double> values(box.columns * box.rows * box.layers, 0.0);
     for (std::size_t blob = 0; blob < blobs.count; ++blob) {
         const auto words = counted_words(blob, 0, place, purpose::field, seed);
-        const auto across = shares(drawn_place(words[0], lattice.columns), lattice.columns, wrap, blobs.sigma);
-        const auto up = shares(drawn_place(words[1], lattice.rows), lattice.rows, wrap, blobs.sigma);
-        for (const Share& row : up) {
-            for (const Share& column : across)
-                values[row.place * lattice.columns + column.place] += row.value * column.value;
+        const auto along = [&](std::size_t axis, std::size_t count) {
+            return shares(drawn_place(words[axis], count), count, box.wrap, blobs.sigma);
+        };
+        const auto across = along(0, box.columns), up = along(1, box.rows), deep = along(2, box.layers);
+        for (const Share& layer : deep) {
+            for (const Share& row : up) {
+                double* line = values.data() + (layer.place * box.rows + row.place) * box.columns;
+                for (const Share& column : across) line[column.place] += layer.value * row.value * column.value;
+            }
         }
     }
     return values;
+}
+
+}  // namespace
+
+std::vector<double> blob_values(const BlobField& blobs, const Lattice& lattice, std::int64_t seed, std::size_t place) {
+    return values_in(blobs, {lattice.columns, lattice.rows, 1, lattice.boundary == Boundary::wrap}, seed, place);
+}
+
+std::vector<double> blob_values(const BlobField& blobs, const Volume& volume, std::int64_t seed, std::size_t place) {
+    return values_in(blobs, {volume.columns, volume.rows, volume.layers, volume.boundary == Boundary::wrap}, seed,
+                     place);
 }
 
 }  // namespace pelage

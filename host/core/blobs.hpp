@@ -1,4 +1,4 @@
-// Round spots at random places of a lattice.
+// Round spots at random places of a lattice or a volume.
 #pragma once
 
 #include "core/experiment.hpp"
@@ -11,5 +11,6 @@ namespace pelage {
 
 // For each cell. `place`: that of the field, so that each field has spots of its own.
 std::vector<double> blob_values(const BlobField&, const Lattice&, std::int64_t seed, std::size_t place);
+std::vector<double> blob_values(const BlobField&, const Volume&, std::int64_t seed, std::size_t place);
 
 }  // namespace pelage

@@ -97,7 +97,10 @@ Scene scene_of(const Experiment& experiment, const Extent& extent) {
 
 std::vector<double> from_blobs(const BlobField& field, const Experiment& experiment, const Extent& extent,
                                std::size_t place) {
-    Lattice lattice = std::get<Lattice>(space_of(experiment));
+    const Space space = space_of(experiment);
+    if (const auto* volume = std::get_if<Volume>(&space))
+        return blob_values(field, *volume, experiment.run_seed(), place);
+    Lattice lattice = std::get<Lattice>(space);
     lattice.columns = extent.columns;
     lattice.rows = extent.rows;
     return blob_values(field, lattice, experiment.run_seed(), place);

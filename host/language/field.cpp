@@ -44,7 +44,6 @@ BlobField parse_blobs(Script& script, Cursor& cursor) {
     cursor.expect("sigma");
     blobs.sigma = cursor.number("sigma, in cells", of_sigma);
     script.needs_lattice(cursor, word);
-    script.needs_plane(cursor, word);
     return blobs;
 }
 

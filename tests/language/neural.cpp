@@ -13,6 +13,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 #include <string>
 
 using namespace pelage;
@@ -160,6 +161,34 @@ TEST_CASE("blobs are round, stand where the seed puts them and go over the edge 
     for (const double value : field("define field f blobs 9 sigma 2\n")) sum += value;
     for (const double value : one) single += value;
     CHECK(sum == Approx(9 * single).epsilon(1e-6));
+}
+
+TEST_CASE("blobs in a volume are round in three dimensions and go through its faces where they are joined") {
+    const auto field = [](const std::string& count, const std::string& boundary) {
+        return initial_state(with_networks("define chemical U\ndefine field f blobs " + count +
+                                           " sigma 1.5\nuse chemical U conc (f)\nuse seed 5\ncreate volume 14 12 10 " +
+                                           boundary + "\n"))
+            .conc[0];
+    };
+    for (const bool wrap : {true, false}) {
+        const std::vector<double> one = field("1", wrap ? "wrap" : "no-flux");
+        const auto top = static_cast<std::size_t>(std::max_element(one.begin(), one.end()) - one.begin());
+        CHECK(one[top] == 1.0);
+        double worst = 0.0;
+        for (std::size_t cell = 0; cell < one.size(); ++cell) {
+            double square = 0.0;
+            for (const auto& [stride, count] : {std::pair<std::size_t, std::size_t>{1, 14}, {14, 12}, {168, 10}}) {
+                const std::size_t a = cell / stride % count, b = top / stride % count, far = a > b ? a - b : b - a;
+                const auto d = static_cast<double>(wrap ? std::min(far, count - far) : far);
+                square += d * d;
+            }
+            worst = std::max(worst, std::abs(one[cell] - std::exp(-square / (2 * 1.5 * 1.5))));
+        }
+        CHECK(worst < 1e-6);
+    }
+    const std::vector<double> many = field("9", "wrap"), one = field("1", "wrap");
+    CHECK(std::accumulate(many.begin(), many.end(), 0.0) ==
+          Approx(9 * std::accumulate(one.begin(), one.end(), 0.0)).epsilon(1e-6));
 }
 
 TEST_CASE("blobs need a number, a width and a lattice") {

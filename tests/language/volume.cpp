@@ -78,8 +78,7 @@ TEST_CASE("what needs a plane is refused in a volume, with its line") {
          {"rule every 10 always expand columns 1", "rule always polarize U conc", "rule always divide",
           "rule always move 1", "rule always aggregate U V", "set cell 0 polarity 90", "texture size 20 20",
           "define stencil nine-point", "define stencil 3x3 0 1 0 1 -4 1 0 1 0",
-          "define stencil blur 3x3 1 1 1 1 1 1 1 1 1", "define field spots blobs 3 sigma 2", "use polarity 30",
-          "define chemical W anisotropic"}) {
+          "define stencil blur 3x3 1 1 1 1 1 1 1 1 1", "use polarity 30", "define chemical W anisotropic"}) {
         INFO(line);
         CHECK_THAT(volume_error(line + "\n"), Contains("t.pex:4") && Contains("belongs to a plane"));
     }
