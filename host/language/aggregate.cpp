@@ -1,6 +1,7 @@
 // aggregate ORDER POTENTIAL [eta PAR] [radius PAR] [towards X Y strength PAR] [seed SEED] [size SIZE PAR]: charges that
 // gather.
 #include "language/statements.hpp"
+#include "language/vocabulary.hpp"
 
 #include <fmt/format.h>
 
@@ -31,17 +32,20 @@ void parse_towards(Script& script, Cursor& cursor, Aggregate& aggregate) {
     aggregate.strength = parse_operand(script, cursor, "the strength");
 }
 
+constexpr std::array<std::string_view, 5> aggregate_words{"eta", "radius", "towards", "seed", "size"};
+
 }  // namespace
 
+std::vector<std::string_view> words_of_aggregates() { return {aggregate_words.begin(), aggregate_words.end()}; }
+
 Action parse_aggregate(Script& script, Cursor& cursor) {
-    static constexpr std::array<std::string_view, 5> words{"eta", "radius", "towards", "seed", "size"};
     Aggregate aggregate;
     aggregate.order = script.chemical(cursor);
     const Token& second = cursor.peek();
     aggregate.potential = script.chemical(cursor);
     if (aggregate.potential == aggregate.order)
         cursor.fail(second, "the order of arrival and the potential need two different chemicals");
-    Options options(words);
+    Options options(aggregate_words);
     while (const auto option = options.next(cursor)) {
         if (*option == 0) aggregate.eta = parse_operand(script, cursor, "eta");
         if (*option == 1) aggregate.radius = parse_operand(script, cursor, "the radius");

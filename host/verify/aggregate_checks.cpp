@@ -21,29 +21,27 @@ struct AggregateCase {
     const char* size;
     const char* seed;  // where charges are at the start
     const char* rules;
-    bool quick = false;
-    bool large = false;  // too large for a simulator
+    bool large = false;  // too large for a simulator; the quick form has these alone
 };
 
 // Seeds in a corner, few and many; no more candidates than a block of weights holds, and several blocks of them; every
 // parameter, as a number and as an expression; a lattice that is full in the end; walls with doors, and seeds whose
 // descent is kept; charges of many sizes; more candidates than 15 bits count.
 constexpr std::array<AggregateCase, 9> aggregate_cases{{
-    {"aggregates/point", "61 47", "COLUMN == 30 and ROW == 23", "rule always aggregate order phi eta 3\n", true},
+    {"aggregates/point", "61 47", "COLUMN == 30 and ROW == 23", "rule always aggregate order phi eta 3\n"},
     {"aggregates/corner", "97 5", "COLUMN == 0 and ROW == 0", "rule always aggregate order phi eta 1\n"},
     {"aggregates/even", "40 37", "RANDOM < 0.02", "rule always aggregate order phi eta 0\n"},
     {"aggregates/cross", "121 120", "COLUMN == 60 or ROW == 60", "rule always aggregate order phi eta 10 radius 2\n"},
     {"aggregates/towards", "90 71", "abs(hypot(COLUMN - 45, ROW - 35) - 15) < 0.5",
      "rule always aggregate order phi eta (1 + ITERATION / 100) radius (2 + TIME / 50)"
-     " towards (ITERATION - 40) 30 strength 3\n",
-     true},
+     " towards (ITERATION - 40) 30 strength 3\n"},
     {"aggregates/full", "19 11", "COLUMN == 4 and ROW > 7",
-     "rule every 2 always aggregate order phi eta 6\nrule from 50 always aggregate order phi eta 2.5\n", true},
+     "rule every 2 always aggregate order phi eta 6\nrule from 50 always aggregate order phi eta 2.5\n"},
     {"aggregates/walls", "83 41 where (mod(COLUMN, 9) != 8 or ROW == mod(7 * COLUMN, 41))",
-     "mod(COLUMN, 36) == 3 and ROW == 20", "rule always aggregate order phi eta 2 seed family\n", true},
+     "mod(COLUMN, 36) == 3 and ROW == 20", "rule always aggregate order phi eta 2 seed family\n"},
     {"aggregates/sizes", "88 75", "RANDOM < 0.001 or ROW == COLUMN and ROW == 30",
-     "rule always aggregate order phi eta 4 size mass (0.01 + 20 * RANDOM ^ 3) towards 20 0 strength 5\n", true},
-    {"aggregates/many", "317 316", "RANDOM < 0.05", "rule always aggregate order phi eta 2\n", true, true},
+     "rule always aggregate order phi eta 4 size mass (0.01 + 20 * RANDOM ^ 3) towards 20 0 strength 5\n"},
+    {"aggregates/many", "317 316", "RANDOM < 0.05", "rule always aggregate order phi eta 2\n", true},
 }};
 
 Experiment experiment_of(const AggregateCase& one) {
@@ -91,7 +89,7 @@ std::vector<Check> aggregate_checks() {
     std::vector<Check> checks;
     for (const AggregateCase& one : aggregate_cases) {
         checks.push_back(
-            {one.name, "aggregates", one.quick, [&one](Place& place) { return check_aggregate(one, place); }});
+            {one.name, "aggregates", one.large, [&one](Place& place) { return check_aggregate(one, place); }});
     }
     return checks;
 }

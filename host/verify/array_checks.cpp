@@ -1,6 +1,5 @@
 // See check.hpp: experiments generated from what the program declares, see array_factors.hpp.
 #include "core/prepattern.hpp"
-#include "language/parse.hpp"
 #include "reference/backend.hpp"
 #include "verify/array_text.hpp"
 #include "verify/blame.hpp"
@@ -27,25 +26,29 @@ std::size_t several(const Place& place) {
     return std::min(group, place.device().max_work_group);
 }
 
+void set_small_cut(Setting& setting, Realm realm) {
+    const bool tiled = setting.path == Path::tiled, volume = realm == Realm::volume;
+    setting.columns = volume ? 0 : tiled ? 12 : 32;
+    setting.rows = volume ? 7 : tiled ? 5 : 2;
+    setting.depth = 3;
+}
+
 Setting setting_of(const GeneratedWorld& made, Realm realm, const Place& place) {
     const Values world(realm, made.world);
     Setting setting;
-    const bool lattice = world.realm() == Realm::lattice;
-    const std::string& path = world["path"];
     for (const Path one : {Path::shared, Path::streamed, Path::tiled}) {
-        if (path == word(one)) setting.path = one;
+        if (world.has("path", word(one))) setting.path = one;
     }
     const std::size_t others[] = {4, 2, 8};
-    if (world["width"] != "own") setting.width = world["width"] == "1" ? 1 : others[made.number % 3];
-    setting.variants = world["intervals"] == "tested" ? 0 : 1;
+    if (world.has("width", "1")) setting.width = 1;
+    if (world.has("width", "other")) setting.width = others[made.number % 3];
+    setting.variants = world.has("intervals", "compiled") ? 1 : 0;
     setting.precision = world["precision"] == "double" ? Precision::double_ : Precision::single_;
-    if (world["group"] == "several") setting.work_group = setting.group = several(place);
-    if (!lattice && world["search"] == "sorting") setting.search = NeighbourSearch::spatial_sorting;
-    if (lattice && world["cut"] == "small") {
-        setting.columns = path == "tiled" ? 12 : 32;
-        setting.rows = path == "tiled" ? 5 : 2;
-        setting.depth = 3;
-    }
+    if (world.has("group", "several") || world.has("items", "several"))
+        setting.work_group = setting.group = several(place);
+    if (world.has("items", "eight")) setting.work_group = std::min<std::size_t>(8, place.device().max_work_group);
+    if (world.has("search", "sorting")) setting.search = NeighbourSearch::spatial_sorting;
+    if (world.has("cut", "small")) set_small_cut(setting, realm);
     return setting;
 }
 
@@ -70,7 +73,8 @@ public:
         }
         for (const Size size : generated_sizes(made_, realm_)) {
             const GeneratedCase one{&made_, realm_, size};
-            if (place_.small() && size.columns * std::max<std::size_t>(size.rows, 1) > small_cells) continue;
+            const Size extent{size.columns, std::max<std::size_t>(size.rows, 1), size.layers};
+            if (place_.small() && extent.cells() > small_cells) continue;
             follow(one);
         }
         conclude();
@@ -80,13 +84,13 @@ public:
 private:
     void follow(const GeneratedCase& one) {
         const std::string text = generated_text(one);
-        const Experiment experiment = parse_experiment(text, "generated experiment", ".");
+        const Experiment experiment = generated_experiment(one, text);
         Snapshot state = initial_state(experiment, setting_.precision);
         set_stage(one, state);
         const auto expected = reference_backend(setting_.precision, setting_.search)->make_tissue(experiment, state);
         const auto found = place_.backend(setting_).make_tissue(experiment, state);
         std::vector<Snapshot> states{state};
-        std::vector<std::uint64_t> strides = generated_strides(one.size);
+        std::vector<std::uint64_t> strides = generated_strides(one.size, realm_);
         if (place_.small()) strides.resize(strides_if_small);
         for (const std::uint64_t stride : strides) {
             expected->advance(stride);
@@ -94,8 +98,8 @@ private:
             states.push_back(expected->read());
             const Snapshot there = found->read();
             const bool equal_before = outcome_.tally.equal();
-            const std::string when = fmt::format("{} x {}, {} iterations after the start", one.size.columns,
-                                                 one.size.rows, states.back().iteration - state.iteration);
+            const std::string when = fmt::format("{}, {} iterations after the start", one.size.text(),
+                                                 states.back().iteration - state.iteration);
             add(outcome_.tally, states.back(), there, setting_.precision, when);
             if (!equal_before || outcome_.tally.equal()) continue;
             note_difference(text, states.back(), there, when);
@@ -150,10 +154,20 @@ private:
 
 std::string kernel_of(const Values& world) {
     if (world.realm() == Realm::cells) return "cells, generated";
+    if (world.realm() == Realm::volume) return "volumes";
+    if (world.realm() == Realm::mesh) return "mesh step";
+    if (world.realm() == Realm::charges) return "aggregates";
     const std::string& path = world["path"];
     if (path == "streamed") return "streamed steps";
     if (path == "tiled") return "tiled steps";
     return path == "shared" ? "shared steps" : "single steps";
+}
+
+// What a name tells of the world.
+std::string marks_of(const Values& world) {
+    if (world.realm() == Realm::mesh) return "-" + world["shape"] + "-" + world["weights"];
+    const bool grid = world.realm() == Realm::lattice || world.realm() == Realm::volume;
+    return "-" + world["path"] + (grid ? "-" + world["stencil"] + "-" + world["boundary"] : "");
 }
 
 }  // namespace
@@ -161,14 +175,12 @@ std::string kernel_of(const Values& world) {
 std::vector<Check> array_checks() {
     std::vector<Check> checks;
     for (const std::size_t strength : {pairs, triples}) {
-        for (const Realm realm : {Realm::lattice, Realm::cells}) {
+        for (const Realm realm : every_realm) {
             for (std::size_t nth = 0; nth < world_count(realm, strength); ++nth) {
-                const ArrayRow& row = world_row(realm, strength, nth);
-                const Values world(realm, row);
-                std::string name = fmt::format("{}/{}/{}-{}", strength == pairs ? "pairs" : "triples",
-                                               realm == Realm::lattice ? "lattice" : "cells", nth, world["path"]);
-                if (realm == Realm::lattice) name += fmt::format("-{}-{}", world["stencil"], world["boundary"]);
-                checks.push_back({name, kernel_of(world), strength == pairs, [=](Place& place) {
+                const Values world(realm, world_row(realm, strength, nth));
+                const char* const kind = strength == pairs ? "pairs" : "triples";
+                checks.push_back({fmt::format("{}/{}/{}{}", kind, word(realm), nth, marks_of(world)), kernel_of(world),
+                                  strength == pairs, [=](Place& place) {
                                       const auto& worlds = generated_worlds(realm, strength);
                                       return GeneratedCheck(place, worlds[nth], realm).run();
                                   }});

@@ -1,6 +1,6 @@
 // See array_text.hpp: rules. Numbers are such that conditions hold in some cells, and that what a rule does is seen.
-#include "core/functions.hpp"
 #include "core/models.hpp"
+#include "verify/array_quantities.hpp"
 #include "verify/array_text.hpp"
 #include "verify/lab.hpp"
 
@@ -21,7 +21,8 @@ public:
           nth_(nth),
           values_(one.realm, one.made->rules[nth]),
           start_(std::stoull(values_["start"])),
-          chemicals_(generated_chemicals(one)) {}
+          chemicals_(generated_chemicals(one)),
+          quantities_(one, nth) {}
 
     std::string lines() const {
         std::string text;
@@ -34,8 +35,9 @@ public:
     }
 
 private:
+    static std::string number(double value) { return fmt::format("{}", value); }
+
     const std::string& action() const { return values_["action"]; }
-    bool lattice() const { return case_.realm == Realm::lattice; }
 
     // Counted from the start of the run, or of the phase that the rule belongs to.
     std::string timing() const {
@@ -51,105 +53,20 @@ private:
 
     // Without rules that have ended free cells have another program. Where phases make another one already, nothing
     // ends.
-    std::uint64_t end() const { return lattice() || values_["ends"] == "bounded" ? 11 : 18; }
+    std::uint64_t end() const { return case_.realm != Realm::cells || values_["ends"] == "bounded" ? 11 : 18; }
 
-    // ---- what is read
-
-    // A number about which the values of that quantity lie.
-    double middle(const std::string& what) const {
-        const auto half = [](std::size_t count) { return std::floor(static_cast<double>(count) / 2); };
-        const auto even = [](std::size_t count) { return count % 2 == 0 ? 1.0 : 0.0; };
-        const auto start = static_cast<double>(start_);
-        if (what == "conc") return 1.5;
-        if (what == "diff") return 0.125;
-        if (what == "mapping") return 0.78125;
-        if (what == "X") return lattice() ? 0.5 + even(case_.size.columns) : 0.0;
-        if (what == "Y") return lattice() ? -3.25 + even(case_.size.rows) : 0.0;
-        if (what == "ROW") return half(case_.size.rows);
-        if (what == "COLUMN") return half(case_.size.columns);
-        if (what == "ROWS") return static_cast<double>(case_.size.rows);
-        if (what == "COLUMNS") return static_cast<double>(case_.size.columns);
-        if (what == "AGE") return 6;
-        if (what == "BIRTH") return std::max(0.0, start - 6);
-        if (what == "ITERATION") return start + 4;
-        if (what == "TIME") return 0.05 * start + 0.2;
-        if (what == "expression" || what == "around") return 0.75;
-        if (what == "NEIGHBORS") return lattice() ? 3 : 5;
-        return 0.5;
-    }
-
-    static std::string number(double value) { return fmt::format("{}", value); }
-
-    std::string quantity(const std::string& what) const {
-        if (what == "conc") return nth_ % 2 == 0 ? "G conc" : "Q conc";
-        if (what == "diff") return nth_ % 2 == 0 ? "Z diff" : "Q diff";
-        if (what == "mapping") return "M";
-        if (what == "number") return number(0.375);
-        if (what == "expression") return expression();
-        if (what == "around") return around();
-        return what;
-    }
-
-    // One number or another, from 0.05 to 0.75, by a condition of every sign and joint.
-    std::string choice() const {
-        const char* const signs[] = {"==", "!=", "<", "<=", ">", ">="};
-        const char* const joints[] = {"G {} 1.5 and Q < 3.5", "G {} 1.5 or Q < 2.5", "not (G {} 1.5)"};
-        const std::size_t turn = nth_ + case_.made->number;
-        const std::string first = fmt::format(fmt::runtime(joints[turn / 2 % 3]), signs[turn % 6]);
-        const char* const field = nth_ % 2 == 0 ? "slope" : "ramp";
-        return fmt::format("if({}, 0.5 * {}, -(G - 3) / 4) * if(G {} 2, 1, 0.5)", first, field, signs[(turn + 2) % 6]);
-    }
-
-    // Between 0.25 and 2: a function of what changes, and of what belongs to the place, and a choice.
-    std::string expression() const {
-        const FunctionFacts& function =
-            function_table()[(26 * nth_ + 5 * case_.made->number) % function_table().size()];
-        const char* const arguments[] = {"Q", "(2 - ramp)", "(G + 1)"};
-        std::string call = function.name + "(";
-        for (std::size_t i = 0; i < function.parameters.size(); ++i)
-            call += fmt::format("{}{}", i == 0 ? "" : ", ", arguments[(nth_ + i) % 3]);
-        const char* const others[] = {"0.1 * cos(X + TIME)", "(Q - previous(Q))", "0.1 * sin(X * Y) * ramp"};
-        const char* const other = others[nth_ % 3];
-        return fmt::format("(min(1.25, max(0.25, {} + {})) + {})", call + ")", other, choice());  // NaN gives 0.25
-    }
-
-    // Between 0.25 and 1.25: all that looks at neighbours, at once.
-    std::string around() const {
-        return "(min(1.25, max(0.25, 0.75 + 0.05 * laplacian(Q) + 0.125 * gradient_x(Q) - 0.25 * gradient_y(B))))";
-    }
-
-    // In comparisons concentrations are those of G, which are few numbers.
-    std::string compared(const std::string& what) const { return what == "conc" ? "G conc" : quantity(what); }
-
-    // Another quantity: of the same kind, whole or not, or of the other.
-    static std::string_view partner(const std::string& what, bool alike) {
-        struct Pair {
-            std::string_view what, alike, other;
-        };
-        constexpr Pair pairs[] = {{"conc", "M", "AGE"},         {"diff", "M", "NEIGHBORS"},
-                                  {"mapping", "G conc", "AGE"}, {"X", "Y", "ITERATION"},
-                                  {"Y", "X", "NEIGHBORS"},      {"AGE", "BIRTH", "Q conc"},
-                                  {"BIRTH", "AGE", "X"},        {"ROW", "COLUMN", "Q conc"},
-                                  {"COLUMN", "ROW", "Y"},       {"ROWS", "COLUMNS", "G conc"},
-                                  {"COLUMNS", "ROWS", "M"},     {"number", "AGE", "G conc"},
-                                  {"NEIGHBORS", "AGE", "M"},    {"ITERATION", "BIRTH", "X"},
-                                  {"TIME", "X", "ITERATION"},   {"expression", "Q conc", "AGE"},
-                                  {"around", "Q conc", "AGE"}};
-        for (const Pair& pair : pairs) {
-            if (pair.what == what) return alike ? pair.alike : pair.other;
-        }
-        return alike ? "RANDOM" : "AGE";
-    }
+    // ---- when and where
 
     std::string condition() const {
         const std::string& how = values_["condition"];
         if (how == "always") return how;
         const std::string& what = values_["read"];
-        if (how == "probability") return "probability " + quantity(what);
+        if (how == "probability") return "probability " + quantities_.text(what);
         const std::string& against = values_["against"];
-        const std::string left = what == "number" ? (against == "alike" ? "4" : "1.25") : compared(what);
-        const double low = middle(what);
-        const std::string right = against == "number" ? number(low) : std::string(partner(what, against == "alike"));
+        const std::string left = what == "number" ? (against == "alike" ? "4" : "1.25") : quantities_.compared(what);
+        const double low = quantities_.middle(what);
+        const std::string right =
+            against == "number" ? number(low) : std::string(QuantityWriter::partner(what, against == "alike"));
         if (how != "in") return fmt::format("if {} {} {}", left, how, right);
         const std::string high = number(what == "RANDOM" ? 0.9 : what == "diff" ? 0.25 : low + 3);
         return nth_ % 2 == 0 ? fmt::format("if {} in {} {}", left, right, high)
@@ -165,7 +82,7 @@ private:
 
     std::string amount(double plain) const {
         const std::string& what = values_["amount"];
-        return what == "number" ? number(plain) : quantity(what);
+        return what == "number" ? number(plain) : quantities_.text(what);
     }
 
     std::string deviation(double value) const { return values_["deviation"] == "yes" ? " dev " + number(value) : ""; }
@@ -174,10 +91,10 @@ private:
         const double some = static_cast<double>(nth_ + 1);
         const std::string& what = action();
         if (what == "change conc")
-            return fmt::format("change {} conc {}{}", one_of("A", "B", "Z"), amount(0.0625 * some), deviation(0.3));
+            return fmt::format("change {} conc {}{}", one_of("A", "B", "W"), amount(0.0625 * some), deviation(0.3));
         if (what == "change diff")
             return fmt::format("change {} diff {}{}", one_of("D", "Q", "E"), amount(-0.003 * some), deviation(0.01));
-        if (what == "set conc") return fmt::format("set {} conc {}", one_of("A", "B", "Z"), amount(1 + 0.125 * some));
+        if (what == "set conc") return fmt::format("set {} conc {}", one_of("A", "B", "W"), amount(1 + 0.125 * some));
         if (what == "set diff") return fmt::format("set {} diff {}", one_of("D", "Q", "E"), amount(0.01 * some));
         if (what == "map") return map();
         if (what == "polarize")
@@ -189,12 +106,12 @@ private:
     }
 
     std::string formula() const {
-        return fmt::format("react {} by {} {} by ({} - 0.5 * {})", one_of("A", "B", "Z"), amount(0.5),
-                           one_of("Q", "Q", "A"), one_of("A", "B", "Z"), one_of("Q", "Q", "A"));
+        return fmt::format("react {} by {} {} by ({} - 0.5 * {})", one_of("A", "B", "W"), amount(0.5),
+                           one_of("Q", "Q", "A"), one_of("A", "B", "W"), one_of("Q", "Q", "A"));
     }
 
     std::string map() const {
-        const double from = middle(values_["amount"]);
+        const double from = quantities_.middle(values_["amount"]);
         const double wide = std::max(1.0, 1e-6 * from);
         const double to = nth_ % 2 == 0 ? 1.5 : -0.5;
         return fmt::format("map {} {} {} to N{} 0.25 {}", amount(1.375), from - 1.25 * wide, from + 1.75 * wide, nth_,
@@ -227,6 +144,7 @@ private:
     Values values_;
     std::uint64_t start_;
     std::vector<std::string> chemicals_;
+    QuantityWriter quantities_;
 };
 
 }  // namespace

@@ -1,4 +1,4 @@
-// See array_text.hpp: chemicals, cells, phases, and the state that a case starts from.
+// See array_text.hpp: chemicals, cells and phases.
 #include "verify/array_text.hpp"
 
 #include "core/models.hpp"
@@ -6,7 +6,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cmath>
 
 namespace pelage::verify {
 
@@ -38,7 +37,8 @@ public:
         settings();
         for (const std::string& name : generated_chemicals(case_)) define(name);
         for (const std::string& name : generated_chemicals(case_)) use(name);
-        line("use seed -987654321987654321\nuse polarity 30 dev 170");
+        line("use seed -987654321987654321");
+        if (plane()) line("use polarity 30 dev 170");
         create();
         rules();
         return std::move(text_);
@@ -46,27 +46,35 @@ public:
 
 private:
     bool lattice() const { return case_.realm == Realm::lattice; }
+    bool plane() const { return lattice() || case_.realm == Realm::cells; }
     bool rates(const char* kind) const { return world_["rates"] == kind; }
     bool uneven() const { return !rates("uniform"); }
-    bool directed() const { return rates("directed") || rates("changing"); }
+    bool directed() const { return plane() && (rates("directed") || rates("changing")); }
 
     void line(const std::string& statement) { text_ += statement + "\n"; }
 
     void settings() {
         line("define time_step 0.05");
-        line(lattice() ? "define field ramp (0.5 + 0.25 * sin(0.7 * COLUMN) + 0.125 * RANDOM)"
-                       : "define field ramp (0.5 + 0.01 * X)");
-        line("define field slope (0.5 + 0.25 * cos(0.9 * Y))");
+        fields();
+        if (case_.realm == Realm::volume) line("define stencil " + world_["stencil"]);
         if (lattice()) {
             const std::string& stencil = world_["stencil"];
             // No two weights are alike, so that none can stand for another.
             const char* const weights = " 0.125 0.5 -0.0625 0.75 -2.75 0.375 0.1875 0.625 0.25";
             if (stencil != "published") line("define stencil " + stencil + (stencil == "3x3" ? weights : ""));
-            return;
         }
+        if (case_.realm != Realm::cells) return;
         if (world_["limit"] != "none") line("define division_limit " + world_["limit"]);
         if (world_["domain"] == "narrow") line("define domain 15 11");
         if (world_["domain"] == "packed") line("define domain packed area 3");
+    }
+
+    void fields() {
+        const bool grid = lattice() || case_.realm == Realm::volume;
+        line(grid ? "define field ramp (0.5 + 0.25 * sin(0.7 * COLUMN) + 0.125 * RANDOM)"
+                  : "define field ramp (0.5 + 0.01 * X)");
+        const char* const slopes[] = {"0.9 * Y", "0.9 * Y", "0.9 * Y + 0.7 * Z + LAYER / LAYERS", "0.9 * Y + Z"};
+        line(fmt::format("define field slope (0.5 + 0.25 * cos({}))", slopes[static_cast<std::size_t>(case_.realm)]));
     }
 
     void define(const std::string& name) {
@@ -88,19 +96,36 @@ private:
         const char* conc = kind == 'G' ? "conc 1.5 dev 1.5" : kind == 'B' ? "conc 2 dev 1" : "conc 2.75 dev 1.5";
         std::string diff;
         const bool still = kind == 'G' || kind == 'B' || (kind == 'F' && name != "F9");
-        if (!still) diff = fmt::format(" diff {}", kind == 'A' ? 0.3 : kind == 'Z' ? 0.125 : 0.2);
-        const bool spread = uneven() && (kind == 'Z' || kind == 'Q' || kind == 'E');
+        if (!still) diff = fmt::format(" diff {}", kind == 'A' ? 0.3 : kind == 'W' ? 0.125 : 0.2);
+        const bool spread = uneven() && (kind == 'W' || kind == 'Q' || kind == 'E');
         line(fmt::format("use chemical {} {}{}{}", name, conc, diff, spread ? " dev 0.1" : ""));
     }
 
     void create() {
+        const Size& size = case_.size;
+        if (case_.realm == Realm::volume)
+            return line(
+                fmt::format("create volume {} {} {} {}", size.columns, size.rows, size.layers, world_["boundary"]));
+        if (case_.realm == Realm::mesh) return create_mesh();
         if (lattice()) {
             const bool grid = world_["stencil"] == "published";
             const std::string boundary = grid ? (world_["boundary"] == "wrap" ? "wrap" : "") : world_["boundary"];
-            line(fmt::format("create {} {} {} {} at 0.5 -3.25", grid ? "sqr_grid" : "matrix", case_.size.columns,
-                             case_.size.rows, boundary));
+            line(fmt::format("create {} {} {} {} at 0.5 -3.25", grid ? "sqr_grid" : "matrix", size.columns, size.rows,
+                             boundary));
             return;
         }
+        create_cells();
+    }
+
+    void create_mesh() {
+        const std::string& shape = world_["shape"];
+        const std::string what = shape == "icosphere" ? fmt::format("icosphere {}", case_.size.columns)
+                                                      : fmt::format("torus {} {}", case_.size.columns, case_.size.rows);
+        const char* const note = shape == "odd" ? "  // another mesh of the test's own in its place" : "";
+        line(fmt::format("create {} weights {} scale 1.25{}", what, world_["weights"], note));
+    }
+
+    void create_cells() {
         if (case_.size.rows == 0) {
             for (std::size_t i = 0; i < case_.size.columns; ++i) line(fmt::format("create cell {} 0.5", i / 2));
             return;
@@ -181,7 +206,7 @@ std::vector<std::string> generated_chemicals(const GeneratedCase& one) {
     }
     std::vector<std::string> last;
     if (rates) last.emplace_back("E");
-    last.emplace_back("Z");
+    last.emplace_back("W");
     if (reacts) last.insert(last.end() - (world["ends"] == "bounded" ? 0 : 1), "R");
     const bool many = one.realm == Realm::lattice && world["chemicals"] == "twenty";
     for (std::size_t i = names.size() + last.size(); many && i < twenty; ++i) names.push_back(fmt::format("F{}", i));
@@ -189,51 +214,8 @@ std::vector<std::string> generated_chemicals(const GeneratedCase& one) {
     return names;
 }
 
-std::string generated_text(const GeneratedCase& one) { return TextWriter(one).text(); }
-
-std::vector<Size> generated_sizes(const GeneratedWorld& made, Realm realm) {
-    const Values world(realm, made.world);
-    const auto turn = [&](std::initializer_list<Size> sizes) { return sizes.begin()[made.number % sizes.size()]; };
-    if (realm == Realm::cells) {
-        if (world["sizes"] == "tissue") return {{13, 11}};
-        // One cell or two have no mirrors and no uneven rates: a program of their own.
-        const bool plain = world["mirrors"] == "none" && world["rates"] == "uniform";
-        const Size smallest = plain ? turn({{7, 0}, {1, 0}, {2, 0}}) : Size{7, 0};
-        return {smallest, turn({{5, 3}, {4, 4}, {17, 1}, {11, 3}})};
-    }
-    // More cells than 16 bits count, or columns, or rows; where rows and columns go to and fro, in each of these ways.
-    if (world["sizes"] == "many") {
-        const bool fro = world["path"] == "streamed" || world["path"] == "tiled";
-        if (fro) return {{9, 4}, {65'541, 1}, {1, 65'541}, turn({{311, 223}, {520, 131}})};
-        return {{9, 4}, turn({{65'541, 1}, {311, 223}, {1, 65'541}, {520, 131}})};
-    }
-    return {turn({{1, 37}, {1, 1}, {41, 1}, {2, 3}}), turn({{15, 6}, {16, 7}, {17, 15}, {33, 2}, {7, 5}}),
-            turn({{31, 9}, {65, 11}, {130, 3}}), turn({{24, 33}, {67, 71}})};
-}
-
-std::vector<std::uint64_t> generated_strides(Size size) {
-    const std::size_t cells = size.columns * size.rows;
-    if (cells > 5000) return {1, 1, 3, 2};
-    if (cells > 1000) return {1, 1, 3, 1, 8, 26};
-    return {1, 1, 3, 1, 2, 11};
-}
-
-void set_stage(const GeneratedCase& one, Snapshot& state) {
-    const auto start = std::stoull(one.world()["start"]);
-    const auto names = generated_chemicals(one);
-    const auto idle = static_cast<std::size_t>(std::ranges::find(names, "G") - names.begin());
-    state.iteration = start;
-    for (double& value : state.conc[idle]) value = std::round(4 * value) / 4;
-    for (std::size_t cell = 0; cell < state.cells(); ++cell) {
-        const std::uint64_t ages[] = {0, 3, 7, 12, 65'530, 2'147'483'640, 4'294'967'200};
-        state.birth[cell] = static_cast<std::uint32_t>(start - std::min<std::uint64_t>(ages[cell % 7], start));
-        state.neighbours[cell] = static_cast<std::int32_t>(cell % 6);
-        if (one.realm == Realm::lattice) state.fixed[cell] = cell % 3 == 0 ? 1 : 0;
-        for (auto& plane : state.mappings) plane[cell] = static_cast<double>(cell % 11) * 0.125;
-    }
-    const auto last = static_cast<std::uint32_t>(state.cells() - 1);
-    if (one.realm != Realm::cells || one.world()["mirrors"] == "none" || last < 3) return;
-    state.mirrors = {{0, last}, {1, last / 2}, {last / 2, last - 1}, {last - 1, 0}};
+std::string generated_text(const GeneratedCase& one) {
+    return has_rules(one.realm) ? TextWriter(one).text() : charges_text(one);
 }
 
 }  // namespace pelage::verify

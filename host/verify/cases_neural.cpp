@@ -11,20 +11,6 @@ namespace pelage::verify {
 
 namespace {
 
-// Drawn weights, so small that nothing grows without bound within a case.
-std::shared_ptr<const Network> drawn_network(std::size_t chemicals, std::size_t hidden, std::uint64_t seed) {
-    Dice dice(seed);
-    const auto drawn = [&](std::size_t count, double size) {
-        std::vector<double> values(count);
-        for (double& value : values) value = dice.real(-size, size);
-        return values;
-    };
-    const auto first = drawn(chemicals * hidden, 0.75);
-    const auto bias = drawn(hidden, 1.0);
-    const auto second = drawn(hidden * chemicals, 0.125);
-    return std::make_shared<const Network>(make_network(chemicals, hidden, first, bias, second, "drawn"));
-}
-
 // The last chemicals come first, so that a network's place and a chemical's are not the same.
 Neural asked(Lab& lab, std::size_t chemicals, std::size_t hidden) {
     Neural neural;
@@ -59,6 +45,19 @@ Experiment texture(Lab lab) {
 }
 
 }  // namespace
+
+std::shared_ptr<const Network> drawn_network(std::size_t chemicals, std::size_t hidden, std::uint64_t seed) {
+    Dice dice(seed);
+    const auto drawn = [&](std::size_t count, double size) {
+        std::vector<double> values(count);
+        for (double& value : values) value = dice.real(-size, size);
+        return values;
+    };
+    const auto first = drawn(chemicals * hidden, 0.75);
+    const auto bias = drawn(hidden, 1.0);
+    const auto second = drawn(hidden * chemicals, 0.125);
+    return std::make_shared<const Network>(make_network(chemicals, hidden, first, bias, second, "drawn"));
+}
 
 std::vector<Case> neural_cases() {
     const auto matrix = [](auto make, Boundary boundary, Stencil stencil) {

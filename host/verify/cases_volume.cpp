@@ -1,12 +1,9 @@
 // See cases.hpp: what a cell can do, in volumes.
 #include "core/expression.hpp"
 #include "verify/cases.hpp"
-#include "verify/dice.hpp"
 #include "verify/lab.hpp"
 
 #include <fmt/format.h>
-
-#include <memory>
 
 namespace pelage::verify {
 
@@ -111,15 +108,8 @@ Experiment ruled_volume(Lab lab) {
 }
 
 Experiment neural_volume(Lab lab) {
-    Dice dice(7);
-    const auto drawn = [&](std::size_t count, double size) {
-        std::vector<double> values(count);
-        for (double& value : values) value = dice.real(-size, size);
-        return values;
-    };
-    const auto first = drawn(4 * 6, 0.75), bias = drawn(6, 1.0), second = drawn(6 * 4, 0.125);
     Neural neural;
-    neural.network = std::make_shared<const Network>(make_network(4, 6, first, bias, second, "drawn"));
+    neural.network = drawn_network(4, 6, 7);
     for (std::size_t i = 0; i < 4; ++i)
         neural.species.push_back(lab.chemical(fmt::format("h{}", i), {0.0, 0.5}, {0.0, 0.0}, unbounded));
     neural.diffusion = number(0.5);

@@ -5,7 +5,9 @@
 #include "core/models.hpp"
 
 #include <cstddef>
+#include <cstdint>
 #include <limits>
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -56,6 +58,8 @@ React react(Model, std::vector<std::size_t> species, std::vector<double> paramet
 // Values of a model's parameters with which each of them matters where its species have values from 0.5 to 4.5, others
 // for each turn.
 std::vector<double> sensible(const ModelFacts&, std::size_t turn);
+// Drawn weights, so small that nothing grows without bound within a case.
+std::shared_ptr<const Network> drawn_network(std::size_t chemicals, std::size_t hidden, std::uint64_t seed);
 Change change(std::size_t chemical, Operand amount, double deviation = 0.0);
 Change change_rate(std::size_t chemical, Operand amount, double deviation = 0.0);
 

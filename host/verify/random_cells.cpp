@@ -52,7 +52,7 @@ std::string rate(Draft& draft, ChemicalDraft& chemical) {
             value = most;
             break;
         default:
-            value = draft.lattice() ? 0.0 : -0.05 * value;  // runs the wrong way, slowly
+            value = draft.kind == TissueKind::free_cells ? -0.05 * value : 0.0;  // runs the wrong way, slowly
     }
     const bool uneven = value > 0.0 && dice.chance(30);
     chemical.rate = std::max(chemical.rate, value);
@@ -150,7 +150,7 @@ void draw_seed(Draft& draft) {
 
 void draw_uses(Draft& draft) {
     for (ChemicalDraft& chemical : draft.chemicals) use_chemical(draft, chemical, true);
-    if (draft.dice.chance(50)) draft.line("use " + polarity(draft));
+    if (draft.plane() && draft.dice.chance(50)) draft.line("use " + polarity(draft));
 }
 
 void create_cells(Draft& draft) {
@@ -175,15 +175,15 @@ void set_cells(Draft& draft) {
         if (several) text = fmt::format("set cells {} to {}", first, dice.from_to(first, draft.cells - 1));
         if (dice.chance(20)) text = "set cells where " + draw_expression(draft, ExpressionScope::start, -1.0, 1.0);
         std::vector<std::string> options;
-        if (dice.chance(70)) {
+        if (!draft.plane() || dice.chance(70)) {
             ChemicalDraft& chemical = draft.any_chemical();
             std::vector<std::string> values;
             if (dice.chance(60)) values.push_back(concentration(draft, chemical));
             if (dice.chance(40) || values.empty()) values.push_back(rate(draft, chemical));
             options.push_back(words({"chemical", chemical.name, draft.shuffled(values)}));
         }
-        if (dice.chance(35)) options.push_back(polarity(draft));
-        if (dice.chance(15) || options.empty()) options.emplace_back("fixed");
+        if (draft.plane() && dice.chance(35)) options.push_back(polarity(draft));
+        if ((draft.plane() && dice.chance(15)) || options.empty()) options.emplace_back("fixed");
         draft.line(words({text, draft.shuffled(options)}));
     }
 }

@@ -41,6 +41,7 @@ void draw_phase(Draft& draft, std::size_t place) {
         draft.time_step *= dice.pick({0.25, 0.5, 0.75, 1.0});  // what held before holds at a smaller step
         draft.line("define time_step " + dice.number(draft.time_step));
     }
+    if (draft.kind == TissueKind::charges) return;
     if (dice.chance(40)) change_bounds(draft, draft.any_chemical());
     if (dice.chance(40)) {
         ChemicalDraft& chemical = draft.any_chemical();
@@ -99,10 +100,21 @@ void draw_map(Draft& draft, const ChemicalDraft& chemical) {
     draft.line(words({"output", chemical.name, draft.shuffled(options)}));
 }
 
+// How a volume becomes a picture.
+std::string projection(Draft& draft) {
+    const std::size_t counts[] = {draft.columns, draft.rows, draft.layers};
+    const std::size_t axis = draft.dice.below(3);
+    const std::string slice = fmt::format("slice {} {}", "xyz"[axis], draft.dice.below(counts[axis]));
+    return draft.dice.pick({slice, slice, std::string("maximum"), std::string("transparent")});
+}
+
 void draw_output(Draft& draft, const ChemicalDraft& chemical) {
     Dice& dice = draft.dice;
     std::vector<std::string> options;
     if (dice.chance(40)) options.push_back(range_word(draft));
+    if (draft.kind == TissueKind::volume && dice.chance(75)) options.push_back(projection(draft));
+    if (draft.kind == TissueKind::mesh && dice.chance(50))
+        options.push_back(words({"from", dice.number(-2.0, 2.0), dice.number(-2.0, 2.0), dice.number(0.5, 2.0)}));
     if (dice.chance(70))
         options.push_back("colormap " + (dice.chance(60) ? colormap_word(draft) : colour_stops(draft)));
     draft.line(words({"output", chemical.name, draft.shuffled(options)}));
@@ -140,7 +152,8 @@ void draw_course(Draft& draft) {
     const std::size_t phases = draft.limits.phases && dice.chance(35) ? dice.from_to(1, 3) : 0;
     const std::size_t rules = std::max<std::size_t>(draft.limits.rules, 1);
     draft.iterations = draft.span = dice.from_to(most / 3 + 1, most);
-    const std::size_t before = dice.from_to(phases == 0 ? 1 : 0, phases == 0 ? rules : rules / 2);
+    const std::size_t least = phases == 0 || draft.kind == TissueKind::charges ? 1 : 0;
+    const std::size_t before = dice.from_to(least, phases == 0 ? rules : std::max(least, rules / 2));
     for (std::size_t i = 0; i < before; ++i) draw_rule(draft);
     std::uint64_t left = draft.iterations;
     for (std::size_t phase = 0; phase < phases; ++phase) {
@@ -162,7 +175,7 @@ void draw_pictures(Draft& draft) {
     for (std::size_t i = 0; i < outputs; ++i) draw_output(draft, draft.chemicals[i]);
     if (dice.chance(20)) draw_formula(draft);
     if (draft.lattice() && dice.chance(20)) draw_map(draft, draft.any_chemical());
-    if (dice.chance(10)) {
+    if (draft.plane() && dice.chance(10)) {
         const std::size_t width = dice.from_to(1, 64);
         draft.line(fmt::format("texture size {} {}", width, dice.from_to(1, 64)));
     }

@@ -28,7 +28,7 @@ struct MappingDraft {
     double low = 0.0, high = 1.0;
 };
 
-enum class TissueKind { matrix, sqr_grid, free_cells };
+enum class TissueKind { matrix, sqr_grid, free_cells, volume, mesh, charges };
 
 struct Draft {
     Draft(std::uint64_t seed, const RandomLimits& l) : dice(seed), limits(l) {}
@@ -36,7 +36,9 @@ struct Draft {
     Dice dice;
     const RandomLimits& limits;
     TissueKind kind = TissueKind::matrix;
-    std::size_t columns = 0, rows = 0;  // of a lattice
+    std::size_t columns = 0, rows = 0;  // of a lattice or a volume
+    std::size_t layers = 1;             // of a volume
+    double radius = 1.0;                // of a mesh: how far its vertices lie from the middle
     std::size_t cells = 0;
     double stiffness = 9.0;  // see core/stability.hpp
     double time_step = 1.0;
@@ -50,7 +52,9 @@ struct Draft {
     std::size_t growth_rules = 0;  // `divide` and `expand` so far
     std::string text;
 
-    bool lattice() const { return kind != TissueKind::free_cells; }
+    bool lattice() const { return kind == TissueKind::matrix || kind == TissueKind::sqr_grid; }
+    bool grid() const { return lattice() || kind == TissueKind::volume; }
+    bool plane() const { return lattice() || kind == TissueKind::free_cells; }  // where cells have polarity
     double largest_rate() const;  // that diffusion holds at this time step, and no more than 20
 
     ChemicalDraft& any_chemical() { return chemicals[dice.below(chemicals.size())]; }
@@ -71,6 +75,12 @@ void draw_pictures(Draft&);  // what is drawn of it
 void name_numbers(Draft&);   // some of what was drawn: random_parameters.cpp
 
 void draw_rule(Draft&);  // random_rules.cpp
+
+// random_spaces.cpp: chooses a volume or a mesh, and returns the statement that creates it.
+std::string draw_volume(Draft&);
+std::string draw_mesh(Draft&);
+void draw_charges(Draft&);          // all of their world
+std::string draw_particle(Draft&);  // the action that adds one
 
 // A condition, "always" included, and an action other than growth.
 std::string draw_condition(Draft&);  // random_operands.cpp

@@ -28,6 +28,9 @@ struct RandomLimits {
     bool matrix = true;             // kinds of tissue; at least one of them
     bool sqr_grid = true;           // as a lattice
     bool free_cells = true;
+    bool volume = true;
+    bool mesh = true;
+    bool charges = true;
     bool phases = true;
     bool extremes = true;                 // a few numbers at the ends of what a float holds, and runs that end in NaN
     std::vector<std::string> models;      // words of the reactions to draw from; empty: all of the table

@@ -17,17 +17,27 @@ namespace {
 
 // What is read of the cells around.
 std::string around(Draft& draft) {
-    std::vector<std::string> words{"laplacian", "gradient_x", "gradient_y"};
+    std::vector<std::string> words{"laplacian"};
+    if (draft.grid()) words.insert(words.end(), {"gradient_x", "gradient_y"});
+    if (draft.kind == TissueKind::volume) words.emplace_back("gradient_z");
     words.insert(words.end(), draft.stencils.begin(), draft.stencils.end());
     words.insert(words.end(), draft.stencils.begin(), draft.stencils.end());
     const std::string& word = words[draft.dice.below(words.size())];
     return fmt::format("{}({})", word, draft.any_chemical().name);
 }
 
+std::string place(Draft& draft) {
+    std::vector<std::string> words{"X", "Y"};
+    if (draft.grid()) words.insert(words.end(), {"ROW", "COLUMN", "ROWS", "COLUMNS"});
+    if (draft.kind == TissueKind::volume) words.insert(words.end(), {"Z", "LAYER", "LAYERS"});
+    if (draft.kind == TissueKind::mesh) words.emplace_back("Z");
+    return words[draft.dice.below(words.size())];
+}
+
 std::string leaf(Draft& draft, ExpressionScope scope) {
     Dice& dice = draft.dice;
     const bool rule = scope == ExpressionScope::rule;
-    if (rule && draft.lattice() && dice.chance(10)) return around(draft);
+    if (rule && draft.kind != TissueKind::free_cells && dice.chance(10)) return around(draft);
     const unsigned fields = static_cast<unsigned>(draft.fields.size());
     const unsigned mappings = rule ? static_cast<unsigned>(draft.mappings.size()) : 0;
     switch (dice.weighted({rule ? 12u : 0u, rule ? 3u : 0u, 6, 4, rule ? 5u : 0u, 2, 2 * fields, mappings})) {
@@ -38,11 +48,11 @@ std::string leaf(Draft& draft, ExpressionScope scope) {
         case 2:
             return dice.number(0.125, 3.0);
         case 3:
-            return draft.lattice() ? dice.pick({"X", "Y", "ROW", "COLUMN", "ROWS", "COLUMNS"}) : dice.pick({"X", "Y"});
+            return place(draft);
         case 4:
             return dice.pick({"ITERATION", "TIME", "AGE", "BIRTH", "NEIGHBORS"});
         case 5:
-            return scope == ExpressionScope::field && !draft.lattice() ? "PI" : dice.pick({"RANDOM", "PI"});
+            return scope == ExpressionScope::field && !draft.grid() ? "PI" : dice.pick({"RANDOM", "PI"});
         case 6:
             return draft.fields[dice.below(draft.fields.size())];
         default:

@@ -22,22 +22,34 @@ Readable chemical_value(Draft& draft) {
     return {chemical.name + " diff", 0.0, chemical.rate};
 }
 
+// A coordinate: the words along the first axis, the second, and the third.
+Readable coordinate(Draft& draft, std::size_t axes) {
+    const std::size_t axis = draft.dice.below(axes);
+    const std::size_t counts[] = {draft.columns, draft.rows, draft.layers};
+    double reach = draft.kind == TissueKind::mesh ? draft.radius : 8.0;
+    if (draft.grid()) reach = static_cast<double>(counts[axis]);
+    return {std::string(1, "XYZ"[axis]), -reach, reach};
+}
+
 Readable place_value(Draft& draft) {
-    const double across = draft.lattice() ? static_cast<double>(draft.columns) : 8.0;
-    const double up = draft.lattice() ? static_cast<double>(draft.rows) : 8.0;
-    switch (draft.dice.below(draft.lattice() ? 6 : 2)) {
+    const bool deep = draft.kind == TissueKind::volume;
+    const std::size_t axes = deep || draft.kind == TissueKind::mesh ? 3 : 2;
+    if (!draft.grid() || draft.dice.chance(33)) return coordinate(draft, axes);
+    const auto across = static_cast<double>(draft.columns), up = static_cast<double>(draft.rows);
+    const auto behind = static_cast<double>(draft.layers);
+    switch (draft.dice.below(deep ? 6 : 4)) {
         case 0:
-            return {"X", -across, across};
-        case 1:
-            return {"Y", -up, up};
-        case 2:
             return {"ROW", 0.0, up, true};
-        case 3:
+        case 1:
             return {"COLUMN", 0.0, across, true};
-        case 4:
+        case 2:
             return {"ROWS", 0.0, 1.5 * up, true};
-        default:
+        case 3:
             return {"COLUMNS", 0.0, 1.5 * across, true};
+        case 4:
+            return {"LAYER", 0.0, behind, true};
+        default:
+            return {"LAYERS", 0.0, 1.5 * behind, true};
     }
 }
 

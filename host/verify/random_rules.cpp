@@ -192,8 +192,13 @@ void draw_growth(Draft& draft) {
 
 void draw_rule(Draft& draft) {
     Dice& dice = draft.dice;
-    const bool grows = draft.kind != TissueKind::sqr_grid && draft.growth_rules < 3;
-    const auto kind = dice.weighted({30, 20, 9, 8, 9, draft.lattice() ? 0u : 9u, 12, grows ? 9u : 0u});
+    if (draft.kind == TissueKind::charges) {
+        const std::string when = timing(draft);
+        return draft.line(words({"rule", when, "always", draw_particle(draft)}));
+    }
+    const bool free = draft.kind == TissueKind::free_cells;
+    const bool grows = (free || draft.kind == TissueKind::matrix) && draft.growth_rules < 3;
+    const auto kind = dice.weighted({30, 20, 9, draft.plane() ? 8u : 0u, 9, free ? 9u : 0u, 12, grows ? 9u : 0u});
     if (kind == 7) return draw_growth(draft);
     const std::string start = words({"rule", timing(draft), kind == 6 ? "always" : draw_condition(draft)});
     const auto action = [&]() -> std::string {

@@ -16,11 +16,12 @@ namespace {
 
 void draw_kind(Draft& draft) {
     const RandomLimits& limits = draft.limits;
-    if (!limits.matrix && !limits.sqr_grid && !limits.free_cells)
-        throw Error("a random experiment needs a kind of tissue that is allowed");
-    const auto kind =
-        draft.dice.weighted({limits.matrix ? 50u : 0u, limits.sqr_grid ? 20u : 0u, limits.free_cells ? 30u : 0u});
-    draft.kind = static_cast<TissueKind>(kind);
+    const auto weight = [](bool allowed, unsigned of_hundred) { return allowed ? of_hundred : 0u; };
+    const std::initializer_list<unsigned> weights{weight(limits.matrix, 40),     weight(limits.sqr_grid, 15),
+                                                  weight(limits.free_cells, 20), weight(limits.volume, 12),
+                                                  weight(limits.mesh, 8),        weight(limits.charges, 5)};
+    if (std::ranges::max(weights) == 0) throw Error("a random experiment needs a kind of tissue that is allowed");
+    draft.kind = static_cast<TissueKind>(draft.dice.weighted(weights));
     draft.stiffness = draft.kind == TissueKind::sqr_grid ? stiffness(Stencil::moore) : 9.0;
 }
 
@@ -138,7 +139,7 @@ void define_chemical(Draft& draft, const std::string& name, const RandomPicture*
         chemical.floor = -std::numeric_limits<double>::infinity();
         options.emplace_back("floor none");
     }
-    if (dice.chance(18) && !draft.wide) options.emplace_back("anisotropic");
+    if (dice.chance(18) && draft.plane() && !draft.wide) options.emplace_back("anisotropic");
     if (picture != nullptr && dice.chance(60)) options.push_back(picture_option(draft, *picture, chemical));
     draft.line(words({"define chemical", chemical.name, draft.shuffled(options)}));
     draft.chemicals.push_back(chemical);
@@ -214,21 +215,27 @@ void create_lattice(Draft& draft) {
 
 void draw_world(Draft& draft) {
     draw_kind(draft);
+    if (draft.kind == TissueKind::charges) return draw_charges(draft);
     const auto& pictures = draft.limits.pictures;
     const RandomPicture* picture = nullptr;
     if (draft.lattice() && !pictures.empty() && draft.dice.chance(50)) {
         picture = &pictures[draft.dice.below(pictures.size())];
     }
+    std::string create;
     if (draft.kind == TissueKind::matrix) draw_stencil(draft);
+    if (draft.kind == TissueKind::volume) create = draw_volume(draft);
+    if (draft.kind == TissueKind::mesh) create = draw_mesh(draft);
     if (draft.lattice()) define_stencils(draft);
     draw_time_step(draft);
-    if (!draft.lattice()) draw_domain(draft);
+    if (draft.kind == TissueKind::free_cells) draw_domain(draft);
     define_chemicals(draft, picture);
     define_fields(draft, picture);
     if (draft.dice.chance(60)) draw_seed(draft);
     draw_uses(draft);
-    if (!draft.lattice()) {
+    if (draft.kind == TissueKind::free_cells) {
         create_cells(draft);
+    } else if (!draft.lattice()) {
+        draft.line(create);
     } else {
         draw_size(draft);
         if (picture != nullptr) {

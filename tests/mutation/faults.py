@@ -129,4 +129,33 @@ FAULTS = [
     # Neighbours as compressed rows
     ("beyond an absorbing edge nothing flows", "kernels/neighbours/gather.cl", "there == NOBODY ? rate :",
      "there == NOBODY ? (scalar)0 :"),
+    # Volumes
+    ("weight of the faces of a volume", "kernels/volume/stencil.cl", "#define INNER_ROW(p, up, deep) fma(R(14),",
+     "#define INNER_ROW(p, up, deep) fma(R(13),"),
+    ("rows and layers of a volume exchanged", "kernels/volume/stencil.cl", "((long)deep * rows + there) * pitch",
+     "((long)there * layers + deep) * pitch"),
+    ("a slope through the layers taken for one along the rows", "kernels/volume/stencil.cl",
+     "else slope_z##i = SELECT(MEETS, slope_z##i + signed_step, slope_z##i);",
+     "else slope_y##i = SELECT(MEETS, slope_y##i + signed_step, slope_y##i);"),
+    ("a wave that ends before the torus is closed", "kernels/volume/step.cl", "(steps - 1) * (1 + PELAGE_TORUS)",
+     "(steps - 1)"),
+    ("the last row where two strips meet is left out", "kernels/volume/step.cl", "between ? low + step : high",
+     "between ? low + step - 1 : high"),
+    ("a volume's middle half a layer off", "kernels/volume/step.cl", "2 * layer - layers + 1", "2 * layer - layers"),
+    ("layers beyond the last one not left out", "kernels/volume/neighbours.cl",
+     "|| layer + deep < 0 || layer + deep >= layers;", "|| layer + deep < 0;"),
+    # Meshes
+    ("a mesh's z in the order of its file", "kernels/mesh/step.cl", "places[2L * cells + at]", "places[2L * cells + id]"),
+    ("a vertex without its last neighbour", "kernels/mesh/step.cl", "entry < end; ++entry", "entry + 1 < end; ++entry"),
+    ("all edges of a vertex weigh as its first", "kernels/mesh/step.cl", "weights[entry]", "weights[begin]"),
+    # Aggregates
+    ("sums that forget the charges before the last", "kernels/aggregate/step.cl",
+     "sums[OF(first, n)] += (long)inverses[n];", "sums[OF(first, n)] = (long)inverses[n];"),
+    ("sizes of charges forgotten", "kernels/aggregate/terms.cl", "((parts) * (size))", "(parts)"),
+    ("drawn to another place", "kernels/aggregate/terms.cl", "convert_float(SITE_Y(site)) - particle.y",
+     "convert_float(SITE_Y(site)) - particle.x"),
+    # Networks
+    ("a network's gate four times as steep, not five", "kernels/rules/neural.cl", "R(5) * z[k]", "R(4) * z[k]"),
+    ("a network without its first hidden values", "kernels/rules/neural.cl", "f[i] = pelage_answer_block(z, w, f[i]);",
+     "f[i] = pelage_answer_block(z, w, R(0));"),
 ]

@@ -44,7 +44,8 @@ LIKELY = [("kernels/functions/", ["functions/"]), ("kernels/models/", ["reaction
           ("kernels/cells/", ["pairs/cells/.*-step"]), ("kernels/lattice/tile", [".*tiled"]),
           ("kernels/lattice/stream", [".*streamed"]), ("kernels/lattice/margins", [".*streamed", ".*tiled"]),
           ("kernels/lattice/together", [".*shared"]), ("kernels/lattice/expand", ["growth/"]),
-          ("kernels/lattice/resample", ["growth/"]), ("kernels/lattice/", ["diffusion/", "rates/"]),
+          ("kernels/lattice/resample", ["growth/"]), ("kernels/volume/", ["pairs/volume"]),
+          ("kernels/mesh/", ["pairs/mesh"]), ("kernels/aggregate/", ["pairs/charges"]), ("kernels/lattice/", ["diffusion/", "rates/"]),
           ("host/opencl/cells/", ["pairs/cells/.*-step"]), ("host/opencl/lattice/emit_fused", ["pairs/.*-(tiled|streamed)"]),
           ("host/opencl/lattice/passing", ["pairs/.*-(tiled|streamed)"]),
           ("host/", ["pairs/lattice/.*-step", "pairs/cells/.*-step", "neural/"])]

@@ -94,7 +94,7 @@ TEST_CASE("batch: lattices drawn at random from the whole language run alike tog
     limits.iterations = 24;
     limits.chemicals = 4;
     limits.rules = 6;
-    limits.free_cells = false;
+    limits.free_cells = limits.volume = limits.mesh = limits.charges = false;
     std::size_t batches = 0;
     const std::size_t wanted = long_form() ? 60 : 8;
     for (std::uint64_t seed = 7000; batches < wanted; ++seed) {

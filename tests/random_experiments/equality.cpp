@@ -21,29 +21,42 @@ void check_seeds(std::uint64_t first, std::uint64_t count, const RandomLimits& l
     CHECK(2 * runs.finite() > runs.runs());
 }
 
-RandomLimits small(bool matrix, bool sqr_grid, bool free_cells) {
+// Of one kind of tissue.
+RandomLimits small(bool RandomLimits::*kind) {
     RandomLimits limits;
+    for (bool RandomLimits::*other : {&RandomLimits::matrix, &RandomLimits::sqr_grid, &RandomLimits::free_cells,
+                                      &RandomLimits::volume, &RandomLimits::mesh, &RandomLimits::charges})
+        limits.*other = other == kind;
     limits.cells = 150;
     limits.iterations = 30;
     limits.chemicals = 4;
     limits.rules = 6;
-    limits.matrix = matrix;
-    limits.sqr_grid = sqr_grid;
-    limits.free_cells = free_cells;
-    limits.phases = !free_cells;  // each is a program of its own there
+    limits.phases = !limits.free_cells;  // each is a program of its own there
     return limits;
 }
 
 }  // namespace
 
 TEST_CASE("Random experiments on a matrix run alike on reference and device") {
-    check_seeds(1000, 8, small(true, false, false));
+    check_seeds(1000, 8, small(&RandomLimits::matrix));
 }
 
 TEST_CASE("Random experiments on a square grid run alike on reference and device") {
-    check_seeds(2000, 5, small(false, true, false));
+    check_seeds(2000, 5, small(&RandomLimits::sqr_grid));
 }
 
 TEST_CASE("Random experiments of free cells run alike on reference and device") {
-    check_seeds(3000, 4, small(false, false, true));
+    check_seeds(3000, 4, small(&RandomLimits::free_cells));
+}
+
+TEST_CASE("Random experiments in volumes run alike on reference and device") {
+    check_seeds(4000, 6, small(&RandomLimits::volume));
+}
+
+TEST_CASE("Random experiments on meshes run alike on reference and device") {
+    check_seeds(5000, 6, small(&RandomLimits::mesh));
+}
+
+TEST_CASE("Random experiments with charges run alike on reference and device") {
+    check_seeds(6000, 12, small(&RandomLimits::charges));
 }

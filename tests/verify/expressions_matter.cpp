@@ -1,6 +1,5 @@
 // In the generated experiments every operator of expressions, and each of their fields, matters.
 #include "core/prepattern.hpp"
-#include "language/parse.hpp"
 #include "reference/backend.hpp"
 #include "verify/array_text.hpp"
 
@@ -83,7 +82,7 @@ public:
 private:
     void look_at(const GeneratedWorld& world) {
         const GeneratedCase one{&world, realm_, realm_ == Realm::lattice ? Size{17, 11} : Size{11, 5}};
-        experiment_ = parse_experiment(generated_text(one), "generated", ".");
+        experiment_ = generated_experiment(one, generated_text(one));
         start_ = initial_state(experiment_, Precision::double_);
         set_stage(one, start_);
         const Snapshot expected = after(experiment_);

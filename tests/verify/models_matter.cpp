@@ -1,7 +1,6 @@
 // In the generated experiments every parameter of every reaction matters, and every chemical that it changes changes.
 #include "core/models.hpp"
 #include "core/prepattern.hpp"
-#include "language/parse.hpp"
 #include "reference/backend.hpp"
 #include "verify/array_text.hpp"
 
@@ -30,7 +29,7 @@ public:
 private:
     void look_at(const GeneratedWorld& world) {
         const GeneratedCase one{&world, realm_, realm_ == Realm::lattice ? Size{7, 5} : Size{5, 3}};
-        experiment_ = parse_experiment(generated_text(one), "generated", ".");
+        experiment_ = generated_experiment(one, generated_text(one));
         start_ = initial_state(experiment_, Precision::double_);
         set_stage(one, start_);
         expected_ = after(experiment_);
