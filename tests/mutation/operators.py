@@ -451,7 +451,7 @@ def main():
     options.add_argument("--sample", type=int, default=60, help="faults that can be judged (default 60)")
     options.add_argument("--seed", type=int, default=1, help="of the draw (default 1)")
     options.add_argument("--form", choices=["quick", "full"], default="quick")
-    options.add_argument("--only", default="", help="faults in files with this in their name")
+    options.add_argument("--only", default="", help="faults in files with this in their name, or one of these between commas")
     options.add_argument("--program", type=pathlib.Path, default=ROOT / "build" / "release" / "pelage")
     options.add_argument("--tree", type=pathlib.Path, help="sources built in build/release, for faults in emitters")
     options.add_argument("--work", type=pathlib.Path, default=ROOT / "build" / "mutation")
@@ -479,7 +479,7 @@ def main():
         bench.learn(one, one["verdict"], one["by"])
     judged = 0
     for before in faults:
-        if chosen.only not in before["file"]:
+        if not any(part in before["file"] for part in chosen.only.split(",")):
             continue
         fault = {key: before[key] for key in ("file", "line", "operator", "before", "after", "nth")}
         one = known.get((fault["file"], fault["before"], fault["after"], fault["nth"]))
