@@ -11,7 +11,12 @@ typedef PELAGE_PASTE(PELAGE_SCALAR, 2) pelage_pair;
     const pelage_pair u##_pair = PAIRS(p)[first]; \
     const real u = u##_pair.x, v = u##_pair.y;
 #define GATHER_PAIR(u, v, p, j) LOAD_PAIR(u, v, p, j)
-#define STORE_PAIR(u, v, p, first) ((global pelage_pair*)(p))[first] = (pelage_pair)(u, v)
+// One by one: Oclgrind takes a vector that is stored apart, and then says that parts of it were never set.
+#define STORE_PAIR(u, v, p, first) \
+    {                              \
+        (p)[2L * (first)] = u;     \
+        (p)[2L * (first) + 1] = v; \
+    }
 #else
 #if PELAGE_WIDTH == 2
 #define PELAGE_HALF_AT(a, j) (a)[j]

@@ -38,13 +38,13 @@ kernel void pelage_mesh_step(global const scalar* old_conc, global scalar* new_c
     if (first >= pitch) return;
     const uintv id = LOAD(ids + first);
     const intv length = LOAD(lengths + first);
-    const int block = first / 16;
+    const int block = first >> 4;
 #if PELAGE_WIDTH == 1
     const int longest = length;
 #else
     const int longest = (int)(rows[block + 1] - rows[block]);
 #endif
-    const long list = (long)rows[block] * 16 + first % 16;
+    const long list = (long)rows[block] * 16 + (first & 15);  // not / and %: Oclgrind 21.10 lacks what clang makes of them
     const real dt = R(parameters[0]);
     const real time_start = R(parameters[1]);
     const uint time_begin = PARAMETER_WORD(2);
