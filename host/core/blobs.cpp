@@ -1,4 +1,4 @@
-// See blobs.hpp. A spot is the product of what it is along a row, along a column and through the layers.
+// See blobs.hpp. On a grid a spot is the product of what it is along a row, along a column and through the layers.
 #include "core/blobs.hpp"
 
 #include "core/functions.hpp"
@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <numeric>
 
 namespace pelage {
 
@@ -19,17 +20,20 @@ struct Share {  // of a spot, in one column, row or layer
     double value = 0.0;
 };
 
-std::vector<Share> shares(std::size_t centre, std::size_t count, bool wrap, double sigma) {
+double height_at(double far, double sigma) {
     static const std::size_t exponential = function_named("exp").value();
+    double value = -0.5 * ((far / sigma) * (far / sigma));
+    const double* column = &value;
+    compute_function(exponential, &column, 1, &value);
+    return value;
+}
+
+std::vector<Share> shares(std::size_t centre, std::size_t count, bool wrap, double sigma) {
     std::vector<Share> found;
     for (std::size_t place = 0; place < count; ++place) {
         const std::size_t straight = std::max(place, centre) - std::min(place, centre);
         const auto far = static_cast<double>(wrap ? std::min(straight, count - straight) : straight);
-        if (far > blob_reach * sigma) continue;
-        double value = -0.5 * ((far / sigma) * (far / sigma));
-        const double* column = &value;
-        compute_function(exponential, &column, 1, &value);
-        found.push_back({place, value});
+        if (far <= blob_reach * sigma) found.push_back({place, height_at(far, sigma)});
     }
     return found;
 }
@@ -70,6 +74,27 @@ std::vector<double> blob_values(const BlobField& blobs, const Lattice& lattice, 
 std::vector<double> blob_values(const BlobField& blobs, const Volume& volume, std::int64_t seed, std::size_t place) {
     return values_in(blobs, {volume.columns, volume.rows, volume.layers, volume.boundary == Boundary::wrap}, seed,
                      place);
+}
+
+std::vector<double> blob_values(const BlobField& blobs, const MeshSurface& surface, std::int64_t seed,
+                                std::size_t place) {
+    const std::vector<Point>& vertices = surface.mesh.vertices;
+    std::vector<std::uint32_t> along(vertices.size());  // from left to right: few need to be looked at for a spot
+    std::iota(along.begin(), along.end(), 0u);
+    const auto left = [&](std::uint32_t vertex) { return vertices[vertex][0]; };
+    std::ranges::sort(along, {}, left);
+    const double reach = blob_reach * blobs.sigma;
+    std::vector<double> values(vertices.size(), 0.0);
+    for (std::size_t blob = 0; blob < blobs.count; ++blob) {
+        const std::uint32_t word = counted_words(blob, 0, place, purpose::field, seed)[0];
+        const Point& centre = vertices[drawn_place(word, vertices.size())];
+        for (auto at = std::ranges::lower_bound(along, centre[0] - reach, {}, left);
+             at != along.end() && left(*at) <= centre[0] + reach; ++at) {
+            const double far = length(vertices[*at] - centre);
+            if (far <= reach) values[*at] += height_at(far, blobs.sigma);
+        }
+    }
+    return values;
 }
 
 }  // namespace pelage

@@ -166,6 +166,18 @@ std::vector<std::vector<double>> field_values(const Experiment& experiment, cons
     return fields;
 }
 
+std::vector<std::vector<double>> mesh_blobs(const Experiment& experiment, const MeshSurface& surface,
+                                            Precision precision) {
+    std::vector<std::vector<double>> fields(experiment.fields.size());
+    for (std::size_t i = 0; i < fields.size(); ++i) {
+        const auto* blobs = std::get_if<BlobField>(&experiment.fields[i].source);
+        if (blobs == nullptr) continue;
+        fields[i] = blob_values(*blobs, surface, experiment.run_seed(), i);
+        for (double& value : fields[i]) value = in_run(value, precision);
+    }
+    return fields;
+}
+
 // ---- what is computed once
 
 namespace {

@@ -223,11 +223,16 @@ private:
         }
         if (const auto* mesh = std::get_if<MeshCells>(&space)) {
             for (const double z : coordinates(*mesh->surface, 2)) scene.z.push_back(double{in_precision<T>(z)});
+            if (blobs_.empty())
+                blobs_ = mesh_blobs(experiment_, *mesh->surface,
+                                    std::is_same_v<T, float> ? Precision::single_ : Precision::double_);
         }
         fields_.clear();
         scene.fields = &fields_;
-        for (const PlaceField& field : experiment_.fields)
-            fields_.push_back(evaluate(std::get<ComputedField>(field.source).expression, scene));
+        for (std::size_t i = 0; i < experiment_.fields.size(); ++i) {
+            const auto* computed = std::get_if<ComputedField>(&experiment_.fields[i].source);
+            fields_.push_back(computed != nullptr ? evaluate(computed->expression, scene) : blobs_.at(i));
+        }
         return fields_;
     }
 
@@ -351,6 +356,7 @@ private:
     std::size_t place_ = 0;         // of the statement at hand
     std::vector<double> computed_;  // values of a `set`
     std::vector<std::vector<double>> fields_;
+    std::vector<std::vector<double>> blobs_;  // of a mesh
 };
 
 struct Counter {

@@ -162,7 +162,7 @@ private:
         if (lattice() == nullptr) fail("a field from a picture needs a lattice; " + these_are());
     }
     void check_field(const BlobField& blobs, std::size_t) const {
-        if (!on_grid(space_)) fail("a field of blobs needs a lattice or a volume; " + these_are());
+        if (!keeps_places(space_)) fail("a field of blobs needs a lattice, a volume or a mesh; " + these_are());
         if (blobs.count > largest_blob_count)
             fail(fmt::format("a field has {} blobs; at most {} are allowed", blobs.count, largest_blob_count));
         if (!(blobs.sigma > 0.0) || !std::isfinite(blobs.sigma)) fail("the sigma of blobs must be above 0");

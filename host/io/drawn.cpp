@@ -47,8 +47,13 @@ public:
             fields_ = field_values(experiment, extent_of(state), Precision::double_);
             return;
         }
-        for (const PlaceField& field : experiment.fields)
-            fields_.push_back(evaluate(std::get<ComputedField>(field.source).expression, scene_));
+        const auto* mesh = std::get_if<MeshCells>(&space_);
+        const auto blobs = mesh == nullptr ? std::vector<std::vector<double>>{}
+                                           : mesh_blobs(experiment, *mesh->surface, Precision::double_);
+        for (std::size_t i = 0; i < experiment.fields.size(); ++i) {
+            const auto* computed = std::get_if<ComputedField>(&experiment.fields[i].source);
+            fields_.push_back(computed != nullptr ? evaluate(computed->expression, scene_) : blobs.at(i));
+        }
     }
     std::vector<double> values(const Expression& expression, std::size_t place) {
         scene_.place = static_cast<std::uint32_t>(place);

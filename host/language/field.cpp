@@ -42,8 +42,8 @@ BlobField parse_blobs(Script& script, Cursor& cursor) {
     BlobField blobs;
     blobs.count = cursor.integer("the number of blobs", 0, largest_blob_count);
     cursor.expect("sigma");
-    blobs.sigma = cursor.number("sigma, in cells", of_sigma);
-    script.needs_lattice(cursor, word);
+    blobs.sigma = cursor.number("sigma, in cells or in units of the mesh", of_sigma);
+    script.needs_places(cursor, word);
     return blobs;
 }
 

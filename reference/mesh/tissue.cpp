@@ -2,6 +2,7 @@
 #include "reference/mesh/tissue.hpp"
 
 #include "core/error.hpp"
+#include "core/fields.hpp"
 #include "core/finite.hpp"
 #include "core/rates.hpp"
 #include "core/subnormal.hpp"
@@ -24,7 +25,10 @@ using namespace reference;
 template <class T>
 class MeshGround final : public Ground<T> {
 public:
-    explicit MeshGround(const MeshSurface& surface) : adjacency_(surface.adjacency) {
+    MeshGround(const Experiment& experiment, const MeshSurface& surface) : adjacency_(surface.adjacency) {
+        const Precision precision = std::is_same_v<T, float> ? Precision::single_ : Precision::double_;
+        for (const std::vector<double>& values : mesh_blobs(experiment, surface, precision))
+            this->fields.emplace_back(values.begin(), values.end());
         for (const double height : coordinates(surface, 2)) this->z.push_back(in_precision<T>(height));
     }
 
@@ -52,7 +56,9 @@ template <class T>
 class MeshTissue final : public Tissue {
 public:
     MeshTissue(std::shared_ptr<const Experiment> shared, const Snapshot& initial)
-        : Tissue(std::move(shared), initial), surface_(surface_of(experiment(), initial)), ground_(*surface_) {
+        : Tissue(std::move(shared), initial),
+          surface_(surface_of(experiment(), initial)),
+          ground_(experiment(), *surface_) {
         do_write(initial);
     }
 

@@ -14,7 +14,7 @@ class Ground {
 public:
     virtual ~Ground() = default;
 
-    std::vector<std::vector<T>> fields;  // [field][cell]
+    std::vector<std::vector<T>> fields;  // [field][cell]; those that are not there are computed where they are read
     std::vector<T> z;                    // [cell], of a mesh
 
     // For each cell, of values of all cells: the sum over its neighbours, each with its share of the stencil, of theirs

@@ -100,7 +100,8 @@ Column<T> Sight<T>::column(const Operand& operand) {
         case Quantity::stencil:
             return Column<T>(ground.stencil(experiment.stencils[operand.stencil], old.conc[operand.index]));
         case Quantity::field:
-            if (!ground.fields.empty()) return Column<T>(ground.fields[operand.index]);
+            if (operand.index < ground.fields.size() && !ground.fields[operand.index].empty())
+                return Column<T>(ground.fields[operand.index]);
             return computed(std::get<ComputedField>(experiment.fields[operand.index].source).expression);
         case Quantity::expression:
             return computed(experiment.expressions[operand.index]);

@@ -98,7 +98,6 @@ TEST_CASE("what belongs to a plane is refused on a mesh in one sentence") {
         "output U normal 1",
         "output U slice z 1",
         "use polarity 30",
-        "define field f blobs 3 sigma 1",
     };
     for (const std::string& line : lines) {
         INFO(line);

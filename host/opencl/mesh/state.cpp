@@ -1,6 +1,7 @@
 // See state.hpp.
 #include "opencl/mesh/state.hpp"
 
+#include "core/fields.hpp"
 #include "core/subnormal.hpp"
 #include "opencl/mesh/lists.hpp"
 
@@ -32,21 +33,29 @@ std::size_t whole_blocks(std::size_t cells) { return (cells + mesh_block - 1) / 
 
 }  // namespace
 
-MeshState::MeshState(const Session& session, std::shared_ptr<const MeshSurface> surface, std::size_t chemicals,
-                     std::size_t mappings)
+MeshState::MeshState(const Session& session, const Experiment& experiment, std::shared_ptr<const MeshSurface> surface)
     : session_(session),
       surface_(std::move(surface)),
       pitch_(whole_blocks(surface_->cells())),
-      chemicals_(chemicals),
-      conc_(planes(chemicals, "concentrations")),
-      spare_conc_(planes(chemicals, "concentrations")),
-      rate_(planes(chemicals, "rates")),
-      spare_rate_(planes(chemicals, "rates")),
-      mapping_(planes(mappings, "mappings")),
-      ids_(holding(session, filled(surface_->order), "ids")),
-      places_(planes(3, "places")) {
-    for (std::size_t axis = 0; axis < 3; ++axis) upload(places_, axis, alone(coordinates(*surface_, axis)));
+      chemicals_(experiment.chemicals.size()),
+      conc_(planes(chemicals_, "concentrations")),
+      spare_conc_(planes(chemicals_, "concentrations")),
+      rate_(planes(chemicals_, "rates")),
+      spare_rate_(planes(chemicals_, "rates")),
+      mapping_(planes(experiment.mappings.size(), "mappings")),
+      ids_(holding(session, filled(surface_->order), "ids")) {
+    upload_places(experiment);
     upload_lists();
+}
+
+void MeshState::upload_places(const Experiment& experiment) {
+    std::vector<std::vector<double>> columns;
+    for (std::size_t axis = 0; axis < 3; ++axis) columns.push_back(coordinates(*surface_, axis));
+    for (std::vector<double>& values : mesh_blobs(experiment, *surface_, session_.options().precision)) {
+        if (!values.empty()) columns.push_back(std::move(values));
+    }
+    places_ = planes(columns.size(), "places");
+    for (std::size_t i = 0; i < columns.size(); ++i) upload(places_, i, alone(columns[i]));
 }
 
 cl::Buffer MeshState::planes(std::size_t count, const char* what) const {

@@ -17,7 +17,7 @@ namespace pelage {
 
 class MeshState {
 public:
-    MeshState(const Session&, std::shared_ptr<const MeshSurface>, std::size_t chemicals, std::size_t mappings);
+    MeshState(const Session&, const Experiment&, std::shared_ptr<const MeshSurface>);
 
     std::size_t cells() const { return surface_->cells(); }
     std::size_t pitch() const { return pitch_; }  // cells, and what fills the last block of lists
@@ -46,6 +46,7 @@ private:
     void download(const cl::Buffer&, std::size_t plane, WritableColumns) const;
     void download(const cl::Buffer&, std::size_t plane, WritableColumns) const;
     cl::Buffer planes(std::size_t count, const char* what) const;
+    void upload_places(const Experiment&);  // coordinates, then fields of blobs
     void upload_lists();
 
     const Session& session_;

@@ -11,6 +11,7 @@
 #include <map>
 #include <set>
 #include <utility>
+#include <variant>
 
 namespace pelage {
 
@@ -56,6 +57,19 @@ private:
         }
         for (std::size_t i = 0; i < experiment_.mappings.size(); ++i) {
             if (maps(i)) text += fmt::format("real m{0} = LOAD(PLANE_OF(mapping, {0}) + first);\n", i);
+        }
+        return text + blobs();
+    }
+
+    // Fields of blobs lie behind the coordinates.
+    std::string blobs() const {
+        std::string text;
+        std::size_t plane = 3;
+        for (std::size_t i = 0; i < experiment_.fields.size(); ++i) {
+            if (!std::holds_alternative<BlobField>(experiment_.fields[i].source)) continue;
+            if (rules_.use.fields.contains(i))
+                text += fmt::format("const real z{} = LOAD(PLANE_OF(places, {}) + first);\n", i, plane);
+            ++plane;
         }
         return text;
     }

@@ -33,7 +33,7 @@ public:
         : Tissue(std::move(shared), initial),
           session_(std::move(session)),
           pace_(*session_),
-          state_(*session_, surface_of(experiment()), experiment().chemicals.size(), experiment().mappings.size()) {
+          state_(*session_, experiment(), surface_of(experiment())) {
         take(initial);
     }
 

@@ -94,8 +94,9 @@ std::string OperandEmitter::text(const Operand& operand) {
         case Quantity::stencil:
             return around(experiment_.stencils[operand.stencil], operand.index);
         case Quantity::field:
-            if (!places_)
-                return expression(std::get<ComputedField>(experiment_.fields[operand.index].source).expression);
+            if (const auto* computed = std::get_if<ComputedField>(&experiment_.fields[operand.index].source);
+                computed != nullptr && !places_)
+                return expression(computed->expression);
             use_.fields.insert(operand.index);
             return fmt::format("z{}", operand.index);
         case Quantity::expression:

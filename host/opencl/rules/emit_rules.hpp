@@ -5,7 +5,7 @@
 //   const real r0, r1, ...      old rates, where read        real q0, q1, ...   new ones, alike, where written
 //   const real lap0, lap1, ...  laplacians of chemicals, where read; slope_x0, slope_y0, slope_z0, ... their gradients
 //   AROUND(a0, side, up)        chemical 0 in the cell so many columns and rows away, where RuleUse::surrounds
-//   const real z0, z1, ...      fields of a lattice, where read
+//   const real z0, z1, ...      fields of a lattice, and of blobs on a mesh, where read
 //   real m0, m1, ...            mappings of the cell, loaded before and stored after `rules`; where used
 //   const real px, py           old polarity, where RuleUse::polarity
 //   const real dt               time step
@@ -50,7 +50,7 @@ struct RuleUse {                                // what the emitted rules need o
     std::set<std::size_t> gradients;   // of chemicals, along rows or columns
     std::set<std::size_t> surrounds;   // chemicals that stencils with names are taken of
     std::size_t reach = 1;             // of those stencils
-    std::set<std::size_t> fields;      // of a lattice
+    std::set<std::size_t> fields;      // of a lattice; of blobs on a mesh
     std::set<std::size_t> functions;   // places in function_table(): kernels/functions/NAME.cl must come before
     std::set<Quantity> quantities;     // those read that are neither numbers nor indexed
     bool neural = false;               // kernels/rules/neural.cl must come before
