@@ -3,6 +3,7 @@
 #include "app/obey.hpp"
 #include "app/say.hpp"
 #include "opencl/device/kernel_sources.hpp"
+#include "opencl/device/schedule.hpp"
 
 #include <cstddef>
 #include <cstdio>
@@ -20,11 +21,16 @@ using pelage::app::complain;
 // Children are silent: their parent has said it.
 void tell_of_other_kernels(std::span<char*> arguments) {
     const std::string folder = pelage::kernels_folder();
-    if (folder.empty()) return;
+    (void)pelage::scheduled("");  // says so where there is no such schedule
     for (const std::string_view argument : arguments) {
         if (argument == "--worker") return;
     }
-    pelage::app::say(stderr, "note: kernels come from PELAGE_KERNELS, '{}', not from this program\n", folder);
+    if (!folder.empty())
+        pelage::app::say(stderr, "note: kernels come from PELAGE_KERNELS, '{}', not from this program\n", folder);
+    if (!pelage::schedule().empty()) {
+        pelage::app::say(stderr, "note: work is done in the order of PELAGE_SCHEDULE, '{}', and slowly\n",
+                         pelage::schedule());
+    }
 }
 
 }  // namespace

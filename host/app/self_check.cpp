@@ -8,6 +8,7 @@
 #include "io/file_bytes.hpp"
 #include "opencl/device/cache.hpp"
 #include "opencl/device/kernel_sources.hpp"
+#include "opencl/device/schedule.hpp"
 #include "opencl/device/session.hpp"
 #include "opencl/device/subnormal.hpp"
 #include "verify/self_test.hpp"
@@ -71,7 +72,7 @@ void remember(const std::string& key, const std::string& note) {
 SelfCheck self_check(const OpenclOptions& options, const DeviceInfo& device, const Experiment& experiment,
                      const Snapshot& initial, std::uint64_t last) {
     const std::string key = key_of(options, device, experiment, initial, last);
-    const bool remembers = options.use_cache && kernels_folder().empty();
+    const bool remembers = options.use_cache && kernels_folder().empty() && schedule().empty();
     if (remembers) {
         if (const auto note = passed_before(key)) return {"", *note};
     }

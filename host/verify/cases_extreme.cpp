@@ -155,6 +155,11 @@ std::vector<Case> extreme_cases() {
          .touch = tiny_values,
          .grows = true},
         {.name = "sizes/many-rows", .experiment = matrix(spreading, Boundary::wrap), .sizes = large, .iterations = 3},
+        // Large enough for several strips: of single steps, and of passes of several.
+        {.name = "sizes/strips",
+         .experiment = matrix(spreading, Boundary::wrap),
+         .sizes = {{19, 11}, {97, 101}, {203, 211}},
+         .iterations = 90},
         {.name = "sizes/many-columns-around",
          .experiment = looking_around,
          .sizes = {{65'539, 3}, {3, 65'539}},

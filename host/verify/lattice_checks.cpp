@@ -51,11 +51,12 @@ constexpr std::array<std::string_view, 26> quick_cases{"rules/whole-numbers/fuse
                                                        "values/denormal/published",
                                                        "sizes/many-rows",
                                                        "sizes/many-columns-around"};
+constexpr std::string_view strips = "sizes/strips";
 // Of these also with a second work-group size, and on the other paths.
 constexpr std::array<std::string_view, 2> quick_groups{"diffusion/nine-point/no-flux", "diffusion/published/open"};
 constexpr std::array<std::string_view, 2> quick_streamed{"rules/draws/fused", "growth/plain/no-flux"};
-constexpr std::array<std::string_view, 3> quick_shared{"diffusion/nine-point/wrap", "rates/uneven/published/open",
-                                                       "growth/plain/no-flux"};
+constexpr std::array<std::string_view, 4> quick_shared{"diffusion/nine-point/wrap", "rates/uneven/published/open",
+                                                       "growth/plain/no-flux", strips};
 constexpr std::array<std::string_view, 2> quick_tiled{"diffusion/nine-point/no-flux",
                                                       "rates/polarized/five-point/absorbing"};
 
@@ -297,6 +298,11 @@ std::vector<Check> lattice_checks() {
     add("streamed/", "streamed steps", {.path = Path::streamed, .columns = 32}, quick_streamed);
     add("tiled/", "tiled steps", {.path = Path::tiled}, quick_tiled);
     add("shared/", "shared steps", {.path = Path::shared}, quick_shared);
+    // Without bands, strips share the passes of a launch.
+    const auto whole_rows = [](Place& place) {
+        return LatticeCheck(lattice_case(std::string(strips)), place).run({{.path = Path::streamed, .variants = 1}});
+    };
+    checks.push_back({"streamed/sizes/strips-of-whole-rows", "streamed steps", true, whole_rows});
     // Strips so narrow that the larger volumes have several.
     for (const Case& one : lattice_cases()) {
         if (!one.name.starts_with("volume/")) continue;

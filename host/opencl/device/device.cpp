@@ -7,6 +7,7 @@
 #include "opencl/device/kept_handlers.hpp"
 #include "opencl/device/pocl.hpp"
 #include "opencl/device/room.hpp"
+#include "opencl/device/schedule.hpp"
 #include "opencl/device/spelling.hpp"
 
 #include <fmt/format.h>
@@ -68,7 +69,7 @@ void query(const cl::Device& device, DeviceInfo& info) {
     info.memory = device.getInfo<CL_DEVICE_GLOBAL_MEM_SIZE>();
     info.max_allocation = device.getInfo<CL_DEVICE_MAX_MEM_ALLOC_SIZE>();
     info.compute_units = device.getInfo<CL_DEVICE_MAX_COMPUTE_UNITS>();
-    info.processors = usable_processors();
+    info.processors = schedule().empty() ? usable_processors() : info.compute_units;
     info.local_memory = device.getInfo<CL_DEVICE_LOCAL_MEM_SIZE>();
     info.own_local_memory = device.getInfo<CL_DEVICE_LOCAL_MEM_TYPE>() == CL_LOCAL;
     info.max_work_group = largest_group(device);

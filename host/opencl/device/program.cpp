@@ -8,6 +8,7 @@
 #include "opencl/device/pocl.hpp"
 #include "opencl/device/pocl_header.hpp"
 #include "opencl/device/pocl_programs.hpp"
+#include "opencl/device/schedule.hpp"
 
 #include <fmt/format.h>
 
@@ -155,16 +156,18 @@ Source& Source::text(const std::string& emitted) {
     return *this;
 }
 
-CacheKey program_key(const Session& session, const std::string& source, const std::string& options) {
+CacheKey program_key(const Session& session, const std::string& plain, const std::string& options) {
     const DeviceInfo& info = session.info();
+    const std::string source = scheduled(plain);
     const ProgramText text = without_header(session, source, options).value_or(ProgramText{source, options});
     return {text.source, text.options, info.name, info.version, info.driver, info.platform_version};
 }
 
-BuiltProgram build_program(const Session& session, const std::string& source, const std::string& options) {
+BuiltProgram build_program(const Session& session, const std::string& plain, const std::string& options) {
+    const std::string source = scheduled(plain);
     return with_device(session.info().name, [&]() -> BuiltProgram {
         if (!session.options().use_cache) return {from_source(session, source, options)};
-        const CacheKey key = program_key(session, source, options);
+        const CacheKey key = program_key(session, plain, options);
         if (session.info().platform == pocl_platform && !session.options().cache_twice) {
             cl::Program program;
             const bool compiled =
