@@ -1,16 +1,14 @@
 // The rooms of the house: which folder may include from which. No two of them include from each other, by whatever way
 // round; what is common to a kernel file and the host's part of it has one name.
+#include "house/circle.hpp"
 #include "house/source.hpp"
 #include "support/process.hpp"
 
 #include <catch2/catch.hpp>
 
-#include <algorithm>
 #include <filesystem>
-#include <map>
 #include <regex>
 #include <set>
-#include <sstream>
 #include <string>
 #include <vector>
 
@@ -20,7 +18,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-using Rooms = std::map<std::string, std::set<std::string>>;  // a room, and those that it includes from
+using Rooms = test::Includes;  // a room, and those that it includes from
 
 // The folder of what `name` names in an #include, relative to the sources; empty for what is not ours.
 std::string room_of(const std::string& name) {
@@ -47,34 +45,7 @@ Rooms rooms() {
     return found;
 }
 
-// A way from `room` back to itself, room by room; empty where there is none.
-std::vector<std::string> circle(const Rooms& all, const std::string& room) {
-    std::map<std::string, std::string> from;
-    std::vector<std::string> open{room};
-    while (!open.empty()) {
-        const std::string here = open.back();
-        open.pop_back();
-        const auto found = all.find(here);
-        if (found == all.end()) continue;
-        for (const std::string& next : found->second) {
-            if (!from.emplace(next, here).second) continue;
-            if (next == room) {
-                std::vector<std::string> way{room};
-                for (std::string at = from.at(room); at != room; at = from.at(at)) way.push_back(at);
-                return way;
-            }
-            open.push_back(next);
-        }
-    }
-    return {};
-}
-
 }  // namespace
-
-TEST_CASE("a circle of rooms is recognised") {
-    CHECK(circle({{"a", {"b"}}, {"b", {"c"}}, {"c", {"b"}}}, "b").size() == 2);
-    CHECK(circle({{"a", {"b"}}, {"b", {"c"}}, {"c", {"b"}}}, "a").empty());
-}
 
 TEST_CASE("no room includes from itself by way of others") {
     const Rooms all = rooms();
@@ -82,7 +53,7 @@ TEST_CASE("no room includes from itself by way of others") {
 
     for (const auto& [room, unused] : all) {
         INFO(room);
-        CHECK(circle(all, room) == std::vector<std::string>{});
+        CHECK(test::circle(all, room) == std::vector<std::string>{});
     }
 }
 

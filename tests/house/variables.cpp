@@ -10,5 +10,6 @@ TEST_CASE("ctest gives tests every variable that is meant for them") {
     REQUIRE(waiting != nullptr);
     CHECK(std::string(waiting) == "passive");
     CHECK(std::getenv("LSAN_OPTIONS") != nullptr);
+    CHECK(std::getenv("TSAN_OPTIONS") != nullptr);
     CHECK(std::getenv("PELAGE_POCL_HEADER") != nullptr);
 }
