@@ -109,12 +109,12 @@ std::vector<float> sizes_at_start(const Experiment& experiment, const Snapshot& 
     return sizes;
 }
 
-std::uint64_t draw_of(const Experiment& experiment, std::size_t rule, std::uint64_t iteration) {
-    const auto words = counted_words(0, iteration, rule, purpose::aggregation, experiment.run_seed());
+}  // namespace
+
+std::uint64_t further_draw(const Particle& particle, std::uint64_t number) {
+    const auto words = counted_words(number, particle.iteration, particle.rule, purpose::aggregation, particle.seed);
     return std::uint64_t{words[1]} << 32 | words[0];
 }
-
-}  // namespace
 
 bool has_charges(const Experiment& experiment) {
     const Space space = space_of(experiment);
@@ -146,7 +146,10 @@ Particle particle_at(const Experiment& experiment, std::size_t rule, std::uint64
     particle.pull = static_cast<float>(pull);
     particle.x = site_at(reader.read(asked.x, "x", -1e6, 1e6), state.origin_x, state.columns);
     particle.y = site_at(reader.read(asked.y, "y", -1e6, 1e6), state.origin_y, state.rows);
-    particle.draw = draw_of(experiment, rule, iteration);
+    particle.iteration = iteration;
+    particle.rule = rule;
+    particle.seed = experiment.run_seed();
+    particle.draw = further_draw(particle, 0);
     if (asked.size)
         particle.size = static_cast<float>(reader.read(asked.grown, "size", smallest_charge, largest_charge));
     return particle;

@@ -43,7 +43,14 @@ struct Particle {
     float y = 0.0f;
     std::uint64_t draw = 0;  // in parts of 2^64
     float size = 1.0f;
+    // What draws are counted by.
+    std::uint64_t iteration = 0;
+    std::size_t rule = 0;
+    std::int64_t seed = 0;
 };
+
+// A further draw for the same particle, in parts of 2^64; the draw 0 is the particle's own.
+std::uint64_t further_draw(const Particle&, std::uint64_t number);
 
 // Throws Error where a parameter has a value that means nothing. The snapshot gives size and centre.
 Particle particle_at(const Experiment&, std::size_t rule, std::uint64_t iteration, const Snapshot&);

@@ -211,6 +211,7 @@ struct Aggregate {
     // and reads RANDOM, too.
     std::optional<std::size_t> size = std::nullopt;
     Operand grown = Operand::number(1.0);
+    bool far_field = false;  // what charges far away add is interpolated: see core/far_grid.hpp
 };
 
 using Action = std::variant<React, Formula, Neural, Change, Set, Map, Polarize, Divide, Move, And, Expand, Aggregate>;

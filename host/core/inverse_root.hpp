@@ -16,13 +16,18 @@ inline float inverse_root(float d) {
     return y * (1.5f - (half * y) * y);
 }
 
-// size * 2^30 / r, rounded to a whole number, of two different sites.
+// size * 2^30 / r, rounded to a whole number, for a distance whose square is given.
+inline std::int64_t inverse_parts_at(float square, float size) {
+    const float parts = inverse_root(square) * 0x1p30f * size;
+    // Beyond there are whole numbers alone.
+    return static_cast<std::int64_t>(parts < 0x1p23f ? (parts + 0x1p23f) - 0x1p23f : parts);
+}
+
+// That of two different sites.
 inline std::int64_t inverse_distance(std::uint32_t one, std::uint32_t other, std::uint32_t columns, float size = 1.0f) {
     const auto x = static_cast<std::int32_t>(one % columns) - static_cast<std::int32_t>(other % columns);
     const auto y = static_cast<std::int32_t>(one / columns) - static_cast<std::int32_t>(other / columns);
-    const float parts = inverse_root(static_cast<float>(x * x + y * y)) * 0x1p30f * size;
-    // Beyond there are whole numbers alone.
-    return static_cast<std::int64_t>(parts < 0x1p23f ? (parts + 0x1p23f) - 0x1p23f : parts);
+    return inverse_parts_at(static_cast<float>(x * x + y * y), size);
 }
 
 }  // namespace pelage

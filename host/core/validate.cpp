@@ -356,6 +356,10 @@ private:
         const Aggregate& first = aggregate_of(experiment_);
         if (held != held_by(first) || aggregate.seed != first.seed)
             fail("all `aggregate` rules keep order, potential, seed and size in the same chemicals, or none of a kind");
+        if (aggregate.far_field != first.far_field)
+            fail("all `aggregate` rules of an experiment say `far-field`, or none of them does");
+        if (aggregate.far_field && aggregate.strength != Operand::number(0.0))
+            fail("an `aggregate` with `far-field` takes no `towards`");
         each_parameter(aggregate, [&](const Operand& operand) { check_parameter(operand, false); });
         check_parameter(aggregate.grown, true);
     }

@@ -1,5 +1,5 @@
-// aggregate ORDER POTENTIAL [eta PAR] [radius PAR] [towards X Y strength PAR] [seed SEED] [size SIZE PAR]: charges that
-// gather.
+// aggregate ORDER POTENTIAL [eta PAR] [radius PAR] [towards X Y strength PAR] [seed SEED] [size SIZE PAR]
+// [far-field]: charges that gather.
 #include "language/statements.hpp"
 #include "language/vocabulary.hpp"
 
@@ -32,7 +32,7 @@ void parse_towards(Script& script, Cursor& cursor, Aggregate& aggregate) {
     aggregate.strength = parse_operand(script, cursor, "the strength");
 }
 
-constexpr std::array<std::string_view, 5> aggregate_words{"eta", "radius", "towards", "seed", "size"};
+constexpr std::array<std::string_view, 6> aggregate_words{"eta", "radius", "towards", "seed", "size", "far-field"};
 
 }  // namespace
 
@@ -46,7 +46,13 @@ Action parse_aggregate(Script& script, Cursor& cursor) {
     if (aggregate.potential == aggregate.order)
         cursor.fail(second, "the order of arrival and the potential need two different chemicals");
     Options options(aggregate_words);
-    while (const auto option = options.next(cursor)) {
+    const Token* towards = nullptr;
+    while (true) {
+        const Token& word = cursor.peek();
+        const auto option = options.next(cursor);
+        if (!option) break;
+        if (*option == 2) towards = &word;
+        if (*option == 5) aggregate.far_field = true;
         if (*option == 0) aggregate.eta = parse_operand(script, cursor, "eta");
         if (*option == 1) aggregate.radius = parse_operand(script, cursor, "the radius");
         if (*option == 2) parse_towards(script, cursor, aggregate);
@@ -54,6 +60,11 @@ Action parse_aggregate(Script& script, Cursor& cursor) {
         if (*option != 4) continue;
         aggregate.size = parse_held(script, cursor, aggregate);
         aggregate.grown = parse_operand(script, cursor, "the size of a new charge");
+    }
+    if (towards != nullptr && aggregate.far_field) {
+        cursor.fail(*towards,
+                    "'towards' and 'far-field' exclude each other: where a place draws the growth, every "
+                    "candidate is looked at; leave out one of them");
     }
     return aggregate;
 }

@@ -21,13 +21,16 @@ struct AggregateCase {
     const char* size;
     const char* seed;  // where charges are at the start
     const char* rules;
-    bool large = false;  // too large for a simulator; the quick form has these alone
+    bool quick = false;  // others are left to the generated ones
+    bool large = false;  // too large for a simulator
 };
 
 // Seeds in a corner, few and many; no more candidates than a block of weights holds, and several blocks of them; every
 // parameter, as a number and as an expression; a lattice that is full in the end; walls with doors, and seeds whose
-// descent is kept; charges of many sizes; more candidates than 15 bits count.
-constexpr std::array<AggregateCase, 9> aggregate_cases{{
+// descent is kept; charges of many sizes; more candidates than 15 bits count. With a far field: several levels of
+// blocks, none of them and one row of them; draws that are all rejected, when the last candidates have the same
+// potential; bounds that are made anew for another eta in each iteration.
+constexpr std::array<AggregateCase, 13> aggregate_cases{{
     {"aggregates/point", "61 47", "COLUMN == 30 and ROW == 23", "rule always aggregate order phi eta 3\n"},
     {"aggregates/corner", "97 5", "COLUMN == 0 and ROW == 0", "rule always aggregate order phi eta 1\n"},
     {"aggregates/even", "40 37", "RANDOM < 0.02", "rule always aggregate order phi eta 0\n"},
@@ -41,7 +44,17 @@ constexpr std::array<AggregateCase, 9> aggregate_cases{{
      "mod(COLUMN, 36) == 3 and ROW == 20", "rule always aggregate order phi eta 2 seed family\n"},
     {"aggregates/sizes", "88 75", "RANDOM < 0.001 or ROW == COLUMN and ROW == 30",
      "rule always aggregate order phi eta 4 size mass (0.01 + 20 * RANDOM ^ 3) towards 20 0 strength 5\n"},
-    {"aggregates/many", "317 316", "RANDOM < 0.05", "rule always aggregate order phi eta 2\n", true},
+    {"aggregates/many", "317 316", "RANDOM < 0.05", "rule always aggregate order phi eta 2\n", true, true},
+    {"aggregates/far-field", "141 117", "COLUMN == 70 and ROW == 58 or RANDOM < 0.0005",
+     "rule always aggregate order phi eta 3 far-field\n", true},
+    {"aggregates/far-full", "13 12", "COLUMN == 4 and ROW == 7",
+     "rule every 2 always aggregate order phi eta 6 far-field\nrule from 30 always aggregate order phi eta 2.5 "
+     "far-field\n",
+     true},
+    {"aggregates/far-walls", "300 9 where (mod(COLUMN, 9) != 8 or ROW == mod(7 * COLUMN, 9))",
+     "mod(COLUMN, 90) == 3 and ROW == 4", "rule always aggregate order phi eta 2 seed family far-field\n"},
+    {"aggregates/far-sizes", "88 75", "RANDOM < 0.001 or ROW == COLUMN and ROW == 30",
+     "rule always aggregate order phi eta (ITERATION / 40) size mass (0.01 + 20 * RANDOM ^ 3) far-field\n", true},
 }};
 
 Experiment experiment_of(const AggregateCase& one) {
@@ -89,7 +102,7 @@ std::vector<Check> aggregate_checks() {
     std::vector<Check> checks;
     for (const AggregateCase& one : aggregate_cases) {
         checks.push_back(
-            {one.name, "aggregates", one.large, [&one](Place& place) { return check_aggregate(one, place); }});
+            {one.name, "aggregates", one.quick, [&one](Place& place) { return check_aggregate(one, place); }});
     }
     return checks;
 }

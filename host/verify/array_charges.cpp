@@ -68,6 +68,7 @@ private:
         if (is("towards", "expression"))
             text += fmt::format(" towards ({} - 40) (TIME - {}) strength (5 - {} / 256)", elapsed(),
                                 0.05 * static_cast<double>(start_), elapsed());
+        if (is("field", "far")) text += " far-field";
         if (!is("family", "none")) text += " seed family";
         if (is("charges", "number")) text += " size mass 2.75";
         if (is("charges", "expression")) text += " size mass (0.01 + 20 * RANDOM ^ 3)";

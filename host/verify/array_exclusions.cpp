@@ -26,6 +26,7 @@ constexpr std::array exclusions{
     Exclusion{"path", "|streamed|", "items", "|several|"},
     Exclusion{"path", "|shared|", "search", "|sorting|"},
     Exclusion{"phases", "|none|", "when", "|phase|"},
+    Exclusion{"towards", "!|none|", "field", "|far|"},
     // Lattices of many cells are few and plain, or they would take long.
     Exclusion{"sizes", "|many|", "chemicals", "|twenty|"},
     Exclusion{"sizes", "|many|", "growth", "!|none|"},

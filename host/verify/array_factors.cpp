@@ -83,6 +83,7 @@ std::vector<Factor> charge_worlds() {
             {"eta", {"0", "number", "expression"}},
             {"radius", {"number", "expression"}},
             {"towards", {"none", "number", "expression"}},
+            {"field", {"exact", "far"}},
             {"where", {"everywhere", "walls", "grains"}},
             {"seeds", {"few", "line"}},
             {"family", {"none", "counted", "given"}},

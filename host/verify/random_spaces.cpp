@@ -114,7 +114,9 @@ std::string draw_particle(Draft& draft) {
     std::vector<std::string> options;
     if (dice.chance(80)) options.push_back("eta " + of_all(draft, 0.0, 12.0));
     if (dice.chance(40)) options.push_back("radius " + of_all(draft, 0.5, 4.0));
-    if (dice.chance(40)) {
+    if (dice.chance(30)) {
+        options.emplace_back("far-field");
+    } else if (dice.chance(50)) {
         const std::string x = of_all(draft, -20.0, 20.0);
         const std::string y = of_all(draft, -20.0, 20.0);
         options.push_back(words({"towards", x, y, "strength", of_all(draft, 0.0, 5.0)}));

@@ -1,6 +1,5 @@
 // A particle of an aggregate: sums and their range, weights, the choice. Either each is a launch of its own, and groups
 // share the places among them in whole blocks, or one group carries out many particles in one launch.
-//   PELAGE_ITEMS   work-items of a group: 1, 2, 4 ...
 //   PELAGE_SIZES   1: charges are of different sizes, and `sizes` holds one for each
 
 #define BLOCK 256
@@ -18,39 +17,6 @@ struct pelage_front {  // struct DeviceFront of opencl/aggregate/device.cpp
     int place[MOST_NEW];  // of those
     uint site[MOST_NEW];
 };
-
-#if PELAGE_ITEMS == 1
-#define ITEM 0
-#define REDUCE(type, name, combine) \
-    static inline type name(type v, local type* space) { return v; }
-#define SPACE(type, name) local type* const name = 0
-#define SYNC
-#define SHARED restrict
-#else
-#define ITEM ((int)get_local_id(0))
-#define REDUCE(type, name, combine)                                         \
-    static inline type name(type v, local type* space) {                    \
-        space[ITEM] = v;                                                    \
-        barrier(CLK_LOCAL_MEM_FENCE);                                       \
-        for (int half_way = PELAGE_ITEMS / 2; half_way > 0; half_way /= 2) { \
-            if (ITEM < half_way) {                                          \
-                const type a = space[ITEM], b = space[ITEM + half_way];     \
-                space[ITEM] = combine;                                      \
-            }                                                               \
-            barrier(CLK_LOCAL_MEM_FENCE);                                   \
-        }                                                                   \
-        const type all = space[0];                                          \
-        barrier(CLK_LOCAL_MEM_FENCE);                                       \
-        return all;                                                         \
-    }
-#define SPACE(type, name) local type name[PELAGE_ITEMS]
-#define SYNC barrier(CLK_GLOBAL_MEM_FENCE | CLK_LOCAL_MEM_FENCE)
-// What items of a group tell each other is never `restrict`: a compiler would let each keep its own copy of it.
-#define SHARED
-#endif
-REDUCE(long, pelage_least, min(a, b))
-REDUCE(long, pelage_most, max(a, b))
-REDUCE(long, pelage_sum_of, a + b)
 
 // The first of a group's share of `count`, in units; the share ends where the next group's begins.
 static inline int pelage_share(int count, int unit, int group, int groups) {

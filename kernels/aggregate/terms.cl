@@ -31,11 +31,15 @@ static inline float pelage_inverse_root(float d) {
 #define SIZED(parts, size) (parts)
 #endif
 
+static inline TERM pelage_term_at(float square, float size) {
+    const float parts = SIZED(pelage_inverse_root(square) * 0x1p30f, size);
+    return CONVERT_TERM(parts < 0x1p23f ? (parts + 0x1p23f) - 0x1p23f : parts);  // beyond there are whole ones alone
+}
+
 static inline TERM pelage_sized_term(uint one, uint other, float size) {
     const int x = SITE_X(one) - SITE_X(other);
     const int y = SITE_Y(one) - SITE_Y(other);
-    const float parts = SIZED(pelage_inverse_root(convert_float(x * x + y * y)) * 0x1p30f, size);
-    return CONVERT_TERM(parts < 0x1p23f ? (parts + 0x1p23f) - 0x1p23f : parts);  // beyond there are whole ones alone
+    return pelage_term_at(convert_float(x * x + y * y), size);
 }
 
 #if PELAGE_SIZES

@@ -68,6 +68,13 @@ public:
         return above == 0 ? 0 : static_cast<std::uint64_t>(binary_power(held) * 0x1p38f);
     }
 
+    // The same scale, counted from another lowest value.
+    Weights from(std::int64_t lowest) const {
+        Weights moved = *this;
+        moved.lowest_ = lowest;
+        return moved;
+    }
+
 private:
     std::int64_t lowest_;
     float eta_;

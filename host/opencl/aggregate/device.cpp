@@ -15,8 +15,7 @@ namespace pelage {
 
 namespace {
 
-constexpr std::size_t block = 256;   // places, as in the kernels
-constexpr std::size_t most_new = 8;  // candidates that one charge makes
+constexpr std::size_t block = 256;  // places, as in the kernels
 
 struct DeviceParticle {  // struct pelage_particle of kernels/aggregate/terms.cl
     cl_float eta, pull, x, y;
@@ -31,36 +30,23 @@ struct DeviceFront {  // struct pelage_front of kernels/aggregate/step.cl
     cl_int added = 0;
     cl_float last_size = 1.0f;
     cl_long lowest = 0, highest = 0;
-    cl_int place[most_new]{};
-    cl_uint site[most_new]{};
+    cl_int place[most_new_candidates]{};
+    cl_uint site[most_new_candidates]{};
 };
 
-cl_uint packed(std::uint32_t site, std::size_t columns) {
-    if (site == no_site) return no_site;
-    return static_cast<cl_uint>(site % columns | site / columns << 16);
-}
-
-std::uint32_t unpacked(cl_uint site, std::size_t columns) {
-    return static_cast<std::uint32_t>((site >> 16) * columns + (site & 0x7fffu));
-}
-
 std::string source() {
-    return Source().file("aggregate/terms.cl").file("aggregate/step.cl").file("aggregate/device.cl").str();
+    return Source()
+        .file("aggregate/terms.cl")
+        .file("aggregate/group.cl")
+        .file("aggregate/step.cl")
+        .file("aggregate/device.cl")
+        .str();
 }
 
 constexpr std::size_t turns_a_launch = 50'000;  // of loops, where a device ends them silently after 65,535
 
 std::string options(std::size_t items, bool sized) {
     return fmt::format("-DPELAGE_ITEMS={} -DPELAGE_SIZES={}", items, sized ? 1 : 0);
-}
-
-// A power of two. A processor takes one item a group, whose loops its compiler turns into vectors.
-std::size_t items_of(const Session& session) {
-    const std::size_t asked = session.options().work_group;
-    const std::size_t wanted = asked != 0 ? asked : session.info().processor() ? 1 : 256;
-    std::size_t items = 1;
-    while (2 * items <= std::min({wanted, session.info().max_work_group, block})) items *= 2;
-    return items;
 }
 
 std::size_t groups_of(const Session& session) {
@@ -81,7 +67,7 @@ std::size_t places_of_one_group(const Session& session) {
 DeviceAggregate::DeviceAggregate(std::shared_ptr<const Session> session, bool sized)
     : session_(std::move(session)),
       sized_(sized),
-      items_(items_of(*session_)),
+      items_(growing_items(*session_, block)),
       groups_(groups_of(*session_)),
       places_of_one_group_(places_of_one_group(*session_)) {
     while (!build()) items_ /= 2;
@@ -89,7 +75,7 @@ DeviceAggregate::DeviceAggregate(std::shared_ptr<const Session> session, bool si
     particles_ = session_->buffer(most_particles_at_once * sizeof(DeviceParticle), "particles");
     chosen_ = session_->buffer(most_particles_at_once * sizeof(cl_uint), "chosen sites");
     ranges_ = session_->buffer(groups_ * 2 * sizeof(cl_long), "ranges of potentials");
-    parts_ = session_->buffer(groups_ * most_new * sizeof(cl_long), "parts of sums");
+    parts_ = session_->buffer(groups_ * most_new_candidates * sizeof(cl_long), "parts of sums");
 }
 
 // False where a group of so many work-items is too large for one of the kernels, whose sums are cut for it.
@@ -106,36 +92,21 @@ bool DeviceAggregate::build() {
     return items_ == 1 || std::ranges::all_of(std::array{gather_, weigh_, choose_, together_, add_up_}, fits);
 }
 
-void DeviceAggregate::fill(const cl::Buffer& to, const void* from, std::size_t bytes) const {
-    if (bytes > 0) session_->queue().enqueueWriteBuffer(to, CL_TRUE, 0, bytes, from);
-}
-
-// Keeps what the buffer holds.
-void DeviceAggregate::enlarge(cl::Buffer& buffer, std::size_t bytes, const char* what) {
-    cl::Buffer larger = session_->buffer(bytes, what);
-    if (buffer() != nullptr) {
-        const std::size_t old = std::min(bytes, buffer.getInfo<CL_MEM_SIZE>());
-        session_->queue().enqueueCopyBuffer(buffer, larger, 0, 0, old);
-        session_->queue().finish();
-    }
-    buffer = larger;
-}
-
 // Room for what one batch may add.
 void DeviceAggregate::reserve(const Front& front) {
-    const std::size_t places = front.places().size() + most_new * most_particles_at_once;
+    const std::size_t places = front.places().size() + most_new_candidates * most_particles_at_once;
     if (places > place_room_) {
         place_room_ = (places + places / 2 + block) / block * block;
-        enlarge(places_, place_room_ * sizeof(cl_uint), "candidates");
-        enlarge(sums_, place_room_ * sizeof(cl_long), "sums of candidates");
-        enlarge(blocks_, place_room_ / block * sizeof(cl_ulong), "sums of weights");
-        enlarge(left_, place_room_ * sizeof(cl_int), "places left");
+        enlarge(*session_, places_, place_room_ * sizeof(cl_uint), "candidates");
+        enlarge(*session_, sums_, place_room_ * sizeof(cl_long), "sums of candidates");
+        enlarge(*session_, blocks_, place_room_ / block * sizeof(cl_ulong), "sums of weights");
+        enlarge(*session_, left_, place_room_ * sizeof(cl_int), "places left");
     }
     const std::size_t charges = front.charges().size() + most_particles_at_once;
     if (charges > charge_room_) {
         charge_room_ = charges + charges / 2;
-        enlarge(charges_, charge_room_ * sizeof(cl_uint), "charges");
-        enlarge(sizes_, (sized_ ? charge_room_ : 1) * sizeof(cl_float), "sizes of charges");
+        enlarge(*session_, charges_, charge_room_ * sizeof(cl_uint), "charges");
+        enlarge(*session_, sizes_, (sized_ ? charge_room_ : 1) * sizeof(cl_float), "sizes of charges");
     }
 }
 
@@ -144,7 +115,7 @@ void DeviceAggregate::write_front(const Front& front) {
     state.places = static_cast<cl_int>(front.places().size());
     state.left = static_cast<cl_int>(front.left().size());
     state.charges = static_cast<cl_int>(front.charges().size());
-    fill(front_, &state, sizeof state);
+    fill(*session_, front_, &state, sizeof state);
 }
 
 void DeviceAggregate::bind(const Front& front) {
@@ -162,18 +133,19 @@ void DeviceAggregate::upload(const Front& front, const std::vector<std::int64_t>
     reserve(front);
     const auto pack = [&](const std::vector<std::uint32_t>& sites) {
         std::vector<cl_uint> made(sites.size());
-        std::ranges::transform(sites, made.begin(), [&](std::uint32_t site) { return packed(site, front.columns()); });
+        std::ranges::transform(sites, made.begin(),
+                               [&](std::uint32_t site) { return packed_site(site, front.columns()); });
         return made;
     };
     const std::vector<cl_uint> places = pack(front.places()), charges = pack(front.charges());
-    fill(places_, places.data(), places.size() * sizeof(cl_uint));
-    fill(charges_, charges.data(), charges.size() * sizeof(cl_uint));
-    if (sized_) fill(sizes_, front.sizes().data(), charges.size() * sizeof(cl_float));
-    fill(left_, front.left().data(), front.left().size() * sizeof(cl_uint));
+    fill(*session_, places_, places.data(), places.size() * sizeof(cl_uint));
+    fill(*session_, charges_, charges.data(), charges.size() * sizeof(cl_uint));
+    if (sized_) fill(*session_, sizes_, front.sizes().data(), charges.size() * sizeof(cl_float));
+    fill(*session_, left_, front.left().data(), front.left().size() * sizeof(cl_uint));
     const std::size_t bytes = front.sites().size() * sizeof(cl_int);
     sites_ = session_->buffer(bytes, "sites of an aggregate");
-    fill(sites_, front.sites().data(), bytes);
-    if (!sums.empty()) return fill(sums_, sums.data(), sums.size() * sizeof(cl_long));
+    fill(*session_, sites_, front.sites().data(), bytes);
+    if (!sums.empty()) return fill(*session_, sums_, sums.data(), sums.size() * sizeof(cl_long));
     Arguments(*session_, add_up_).add(places_, sums_, charges_, sizes_, places.size(), charges.size());
     session_->launch(add_up_, cl::NDRange(groups_ * items_), cl::NDRange(items_));
 }
@@ -192,7 +164,7 @@ void DeviceAggregate::launch_step(std::size_t step, bool choose) {
 std::size_t DeviceAggregate::particles_at_once(const Front& front) const {
     if (!session_->info().software_rasteriser()) return most_particles_at_once;
     const std::size_t places = front.places().size() / items_ + 1, charges = front.charges().size() / items_ + 1;
-    const std::size_t turns = 8 * (places + block) + 2 * most_new * charges;
+    const std::size_t turns = 8 * (places + block) + 2 * most_new_candidates * charges;
     return std::clamp<std::size_t>(turns_a_launch / turns, 1, most_particles_at_once);
 }
 
@@ -201,7 +173,7 @@ std::vector<std::uint32_t> DeviceAggregate::grow(const Front& front, std::span<c
     write_front(front);
     std::vector<DeviceParticle> asked;
     for (const Particle& one : particles) asked.push_back({one.eta, one.pull, one.x, one.y, one.draw, one.size, 0.0f});
-    fill(particles_, asked.data(), asked.size() * sizeof(DeviceParticle));
+    fill(*session_, particles_, asked.data(), asked.size() * sizeof(DeviceParticle));
     bind(front);
     if (front.places().size() <= places_of_one_group_) {
         together_.setArg(6, static_cast<cl_int>(asked.size()));
@@ -214,12 +186,13 @@ std::vector<std::uint32_t> DeviceAggregate::grow(const Front& front, std::span<c
     session_->queue().enqueueReadBuffer(chosen_, CL_TRUE, 0, chosen.size() * sizeof(cl_uint), chosen.data());
     std::vector<std::uint32_t> sites;
     for (const cl_uint site : chosen) {
-        if (site != no_site) sites.push_back(unpacked(site, front.columns()));
+        if (site != no_site) sites.push_back(unpacked_site(site, front.columns()));
     }
     return sites;
 }
 
-std::vector<std::int64_t> DeviceAggregate::sums(std::size_t places) const {
+std::vector<std::int64_t> DeviceAggregate::sums(const Front& front) const {
+    const std::size_t places = front.places().size();
     std::vector<std::int64_t> found(places);
     if (places == 0) return found;
     session_->queue().enqueueReadBuffer(sums_, CL_TRUE, 0, places * sizeof(cl_long), found.data());
