@@ -13,6 +13,8 @@
 #include <cmath>
 #include <memory>
 #include <random>
+#include <string_view>
+#include <utility>
 
 namespace pelage::bench {
 
@@ -227,12 +229,33 @@ std::vector<Case> growth_cases() {
     return {matrix, tissues, seedling};
 }
 
-std::string lightning(std::size_t side) {
+std::string lightning(std::size_t side, std::string_view more = {}) {
     return fmt::format(
         "define chemical order\ndefine chemical potential\nuse seed 1\ncreate charges {0} {0}\n"
         "set cells where (COLUMN == {1} and ROW == {1}) chemical order conc 1\n"
-        "rule always aggregate order potential eta 6.8\n",
-        side, side / 2);
+        "rule always aggregate order potential eta 6.8{2}\n",
+        side, side / 2, more);
+}
+
+// The side of a lattice that is wide for so many charges.
+std::size_t wide_for(std::size_t charges) {
+    return static_cast<std::size_t>(std::max(120.0, 4.0 * std::sqrt(static_cast<double>(charges))));
+}
+
+// What a charge costs does not grow: it adds to 36 numbers of some 200 blocks and to some 300 candidates near it.
+std::vector<Case> far_field_cases(Case one) {
+    one.name = "far-lightning";
+    one.sizes = {10'000, 30'000};
+    one.text = [](std::size_t charges) { return lightning(wide_for(charges), " far-field"); };
+    one.far_field = true;
+    one.bytes = 120'000;
+    one.flops = 160'000;
+    Case long_one = one;
+    long_one.name = "long-far-lightning";
+    long_one.sizes = {100'000, 1'000'000};
+    long_one.text = [](std::size_t charges) { return lightning(charges <= 100'000 ? 2048 : 8192, " far-field"); };
+    long_one.by_default = false;
+    return {one, long_one};
 }
 
 // What a charge costs grows with how many there are: each is a look at all candidates, about two a charge. The smallest
@@ -243,9 +266,7 @@ std::vector<Case> aggregate_cases() {
     one.name = "lightning";
     one.sizes = {1'000, 3'000, 10'000, 30'000};
     one.quick_sizes = {100};
-    one.text = [](std::size_t charges) {  // on a lattice that is wide for so many
-        return lightning(static_cast<std::size_t>(std::max(120.0, 4.0 * std::sqrt(static_cast<double>(charges)))));
-    };
+    one.text = [](std::size_t charges) { return lightning(wide_for(charges)); };
     one.cells = [](std::size_t charges) { return charges; };
     one.particles = true;
     one.bytes = 40;
@@ -255,7 +276,9 @@ std::vector<Case> aggregate_cases() {
     long_one.sizes = {100'000};
     long_one.text = [](std::size_t) { return lightning(2048); };
     long_one.by_default = false;
-    return {one, long_one};
+    std::vector<Case> cases{one, long_one};
+    for (Case& far : far_field_cases(one)) cases.push_back(std::move(far));
+    return cases;
 }
 
 // A ball of V in a torus of three dimensions, which soon fills it.

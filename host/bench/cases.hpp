@@ -34,6 +34,7 @@ struct Case {
     double flops = 0;                               // of one update; a fma counts as two
     bool shuffled = false;                          // points without order
     bool particles = false;                         // a size is that of an aggregate that grows; one update is a charge
+    bool far_field = false;                         // that aggregate interpolates what far charges add
 };
 
 const std::vector<Case>& all_cases();

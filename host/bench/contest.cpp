@@ -101,7 +101,10 @@ private:
             const auto on = [&](const std::shared_ptr<const Session>& session) {
                 return [=] { return opencl_task(session, *experiment, initial); };
             };
-            const std::string same = lattice ? "" : mesh ? "meshes have one kernel" : "free cells have one kernel";
+            const std::string same = case_.far_field ? "a far field has one kernel"
+                                     : lattice       ? ""
+                                     : mesh          ? "meshes have one kernel"
+                                                     : "free cells have one kernel";
             if (lattice || named("opencl-plain")) add("opencl-plain", name, same, on(device.plain));
             if (lattice || named("opencl-step")) add("opencl-step", name, same, on(device.step));
             add("opencl", name, "", on(device.standard));

@@ -26,6 +26,7 @@ std::string why_no_openmp(const Case& one) {
     return one.name + ": this program was built without OpenMP";
 #else
     constexpr std::array<std::string_view, 6> others{"cells", "neighbours", "aggregate", "volume", "mesh", "neural"};
+    if (one.far_field) return "no far field was written by hand";
     if (one.kernel || std::ranges::find(others, one.suite) != others.end()) return {};
     return "there is no hand-written baseline for this case";
 #endif

@@ -44,9 +44,7 @@ static inline int pelage_best_leaf(const struct pelage_far far, long* bound) {
 static inline long pelage_highest(const struct pelage_far far, local long* space) {
     long found = NOTHING / 2, bound;
     int looked = 0;
-    while (true) {
-        const int leaf = pelage_best_leaf(far, &bound);
-        if (bound <= found) break;
+    for (int leaf = pelage_best_leaf(far, &bound); bound > found; leaf = pelage_best_leaf(far, &bound)) {
         const long highest = pelage_highest_in(far, leaf, space);
         found = max(found, highest);
         SYNC;

@@ -17,10 +17,15 @@ kernel void pelage_far_grow(FAR_PARAMETERS, global const struct pelage_far_parti
     const struct pelage_far far = FAR;
     for (int step = 0; step < steps; ++step) {
         const struct pelage_far_particle particle = particles[step];
-        const uint site = pelage_far_choose(far, particle, space);
+        const int some = far.front->candidates > 0;
+        if (ITEM == 0) chosen[step] = NO_SITE;
         SYNC;
-        if (ITEM == 0) chosen[step] = site;
-        if (site != NO_SITE) pelage_far_take(far, site, particle.size, space);
+        if (some) {
+            const uint site = pelage_far_choose(far, particle, space);
+            SYNC;
+            if (ITEM == 0) chosen[step] = site;
+            pelage_far_take(far, site, particle.size, space);
+        }
     }
 }
 

@@ -1,6 +1,6 @@
 // The draws of a choice, and where they fall.
 
-struct pelage_far_particle {  // struct DeviceFarParticle of opencl/aggregate/far_device.cpp
+struct pelage_far_particle {  // struct DeviceFarParticle of opencl/aggregate/far_layout.hpp
     float eta;
     float size;
     uint iteration;
@@ -64,9 +64,8 @@ static inline ulong pelage_weight_in(const struct pelage_far far, const struct p
 static inline ulong pelage_weights_of_leaf(const struct pelage_far far, const struct pelage_scale scale, int number,
                                            local long* space) {
     const struct pelage_leaf leaf = far.leaves[number];
-    if (leaf.candidates == 0) return 0ul;
     float values[COEFFICIENTS];
-    pelage_at_nodes(far, number, values);
+    if (leaf.candidates > 0) pelage_at_nodes(far, number, values);
     long sum = 0l;
     for (int i = ITEM; i < leaf.candidates; i += PELAGE_ITEMS)
         sum += (long)pelage_weight_in(far, scale, values, pelage_slot(far, leaf, i));
@@ -79,13 +78,13 @@ static inline uint pelage_choose_of_all(const struct pelage_far far, float eta, 
     const struct pelage_scale scale = pelage_scale_of(-range.highest, -range.lowest, eta);
     ulong total = 0ul, passed = 0ul;
     const int leaves = far.levels[0].columns * far.levels[0].rows;
-    for (int number = 0; number < leaves; ++number) total += pelage_weights_of_leaf(far, scale, number, space);
+    for (int i = 0; i < leaves; ++i) total += pelage_weights_of_leaf(far, scale, i, space);
     const ulong drawn = mul_hi(draw, total);
     int number = 0;
-    for (; number < leaves; ++number) {
-        const ulong own = pelage_weights_of_leaf(far, scale, number, space);
-        if (passed + own > drawn) break;
+    for (ulong own = pelage_weights_of_leaf(far, scale, 0, space); passed + own <= drawn;
+         own = pelage_weights_of_leaf(far, scale, number, space)) {
         passed += own;
+        ++number;
     }
     const struct pelage_leaf leaf = far.leaves[number];
     float values[COEFFICIENTS];
@@ -129,7 +128,6 @@ static inline uint pelage_draw_sites(const struct pelage_far far, const struct p
 static inline uint pelage_far_choose(const struct pelage_far far, const struct pelage_far_particle particle,
                                      local long* space) {
     const int candidates = far.front->candidates;
-    if (candidates == 0) return NO_SITE;
     const long highest = pelage_highest(far, space);
     const float eta = floor(particle.eta * 16.0f) * 0.0625f;
     struct pelage_target target;

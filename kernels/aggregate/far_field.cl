@@ -2,7 +2,7 @@
 // bit for bit: no operation here is a fused one.
 
 // A charge adds to the coefficients of a block, whose first site lies (x, y) from it.
-static inline void pelage_add_to(global long* restrict coefficients, global const float* restrict nodes, float x,
+static inline void pelage_add_to(global long* coefficients, global const float* nodes, float x,
                                  float y, float side, float size) {
     for (int i = ITEM; i < COEFFICIENTS; i += PELAGE_ITEMS) {
         const float over = x + (side * nodes[i] - 0.5f);
@@ -56,8 +56,8 @@ static inline void pelage_spread(const struct pelage_far far, int number, uint s
 }
 
 // A level's values at the nodes of one of the four blocks within: across rows, then along columns.
-static inline void pelage_narrow(float* values, global const float* restrict across,
-                                 global const float* restrict along) {
+static inline void pelage_narrow(float* values, global const float* across,
+                                 global const float* along) {
     float inner[COEFFICIENTS];
     for (int row = 0; row < NODES; ++row) {
         for (int i = 0; i < NODES; ++i) {
@@ -89,7 +89,7 @@ static inline void pelage_at_nodes(const struct pelage_far far, int leaf, float*
 }
 
 // Of one row of nodes, at a column of the leaf.
-static inline float pelage_of_row(global const float* restrict basis, const float* values) {
+static inline float pelage_of_row(global const float* basis, const float* values) {
     float sum = 0.0f;
     for (int j = 0; j < NODES; ++j) sum += basis[j] * values[j];
     return sum;

@@ -6,8 +6,8 @@ struct pelage_found {
 };
 
 // The candidates of a chunk take in a charge; lowest: of what is known, highest: of what the charge adds.
-static inline struct pelage_found pelage_pull_chunk(global const uint* restrict sites, global long* restrict near,
-                                                    global long* restrict known, int count, uint site, float size,
+static inline struct pelage_found pelage_pull_chunk(global const uint* sites, global long* near,
+                                                    global long* known, int count, uint site, float size,
                                                     struct pelage_found found) {
     for (int i = ITEM; i < count; i += PELAGE_ITEMS) {
         const long term = (long)pelage_term(sites[i], site, size);
@@ -106,11 +106,8 @@ static inline void pelage_lift_beside(const struct pelage_far far, uint site) {
     }
 }
 
-// A free site beside a charge becomes a candidate. `values` are those of the leaf `known`, if it has them already.
-static inline int pelage_offer(const struct pelage_far far, int x, int y, float* values, int known,
-                               local long* space) {
-    if (pelage_state(far, x, y) != FREE) return known;
-    const uint site = SITE(x, y);
+// A free site becomes a candidate. `values` are those of the leaf `known`, if it has them already.
+static inline int pelage_offer(const struct pelage_far far, uint site, float* values, int known, local long* space) {
     const int leaf = pelage_leaf_of(far, site);
     if (leaf != known) pelage_at_nodes(far, leaf, values);
     const long near = pelage_near_sum(far, site, space);
@@ -118,7 +115,7 @@ static inline int pelage_offer(const struct pelage_far far, int x, int y, float*
     if (ITEM == 0) {
         const long sum = near + pelage_far_sum(far, values, site);
         const int first = far.leaves[leaf].candidates == 0;
-        pelage_set_state(far, x, y, CANDIDATE);
+        pelage_set_state(far, SITE_X(site), SITE_Y(site), CANDIDATE);
         pelage_push(far, leaf, site, near, sum);
         far.front->lowest = min(far.front->lowest, sum);
         const long best = sum + pelage_doubt(sum);
@@ -126,6 +123,17 @@ static inline int pelage_offer(const struct pelage_far far, int x, int y, float*
     }
     SYNC;
     return leaf;
+}
+
+// The free sites beside a charge, column by column.
+static inline int pelage_free_beside(const struct pelage_far far, int x, int y, uint* found) {
+    int count = 0;
+    for (int i = max(x - 1, 0); i <= min(x + 1, far.columns - 1); ++i) {
+        for (int j = max(y - 1, 0); j <= min(y + 1, far.rows - 1); ++j) {
+            if (pelage_state(far, i, j) == FREE) found[count++] = SITE(i, j);
+        }
+    }
+    return count;
 }
 
 // The site leaves the candidates and joins the charges.
@@ -151,9 +159,9 @@ static inline void pelage_far_take(const struct pelage_far far, uint site, float
     if (ITEM == 0) pelage_lift_beside(far, site);
     SYNC;
     float values[COEFFICIENTS];
+    uint offered[8];
+    const int count = pelage_free_beside(far, x, y, offered);
+    SYNC;
     int known = -1;
-    for (int i = max(x - 1, 0); i <= min(x + 1, far.columns - 1); ++i) {
-        for (int j = max(y - 1, 0); j <= min(y + 1, far.rows - 1); ++j)
-            known = pelage_offer(far, i, j, values, known, space);
-    }
+    for (int n = 0; n < count; ++n) known = pelage_offer(far, offered[n], values, known, space);
 }

@@ -3,12 +3,12 @@
 // One group grows it: all its items walk the same way, and the first one writes.
 //   PELAGE_LEAF    sites in a row of a leaf
 
-#define CHUNK 64
+#define CHUNK 32
 #define NODES 6
 #define COEFFICIENTS 36
 #define NOTHING (-(1l << 62))  // the highest sum where there is no candidate
 
-struct pelage_level {  // struct DeviceLevel of opencl/aggregate/far_device.cpp
+struct pelage_level {  // struct DeviceLevel of opencl/aggregate/far_layout.hpp
     int columns, rows, first;
     int shift;  // of a site's column, which makes that of its block
 };

@@ -9,17 +9,19 @@
 #include <catch2/catch.hpp>
 
 #include <algorithm>
+#include <cmath>
 #include <string>
 
 using namespace pelage;
 
 namespace {
 
-Experiment charges(std::size_t side, const std::string& seed, const std::string& eta, int draws) {
+Experiment charges(std::size_t side, const std::string& seed, const std::string& eta, int draws,
+                   const std::string& more = {}) {
     return parse_experiment(
         fmt::format("define chemical order\ndefine chemical phi\nuse seed {}\ncreate charges {} {}\n"
-                    "set cells where ({}) chemical order conc 1\nrule always aggregate order phi eta {}\n",
-                    draws, side, side, seed, eta),
+                    "set cells where ({}) chemical order conc 1\nrule always aggregate order phi eta {}{}\n",
+                    draws, side, side, seed, eta, more),
         "charges.pex", ".");
 }
 
@@ -34,8 +36,8 @@ void check_equal(const Experiment& experiment, std::uint64_t steps) {
     }
 }
 
-double dimension(const std::string& eta, int draws) {
-    const auto tissue = opencl_backend()->make_tissue(charges(1001, "COLUMN == 500 and ROW == 500", eta, draws));
+double dimension(const std::string& eta, int draws, const std::string& more = {}) {
+    const auto tissue = opencl_backend()->make_tissue(charges(1001, "COLUMN == 500 and ROW == 500", eta, draws, more));
     tissue->advance(10'000);
     std::vector<double> taken = tissue->read().conc[0];
     for (double& order : taken) order = std::min(order, 1.0);
@@ -64,4 +66,21 @@ TEST_CASE("the larger eta, the less an aggregate fills the plane") {
     CHECK(one > three);
     CHECK(three > six);
     CHECK(six > 1.0);
+}
+
+TEST_CASE("both backends take the same sites with a far field") {
+    check_equal(charges(400, "COLUMN == 200 and ROW == 200", "3", 4, " far-field"), 6'000);
+    check_equal(charges(600, "abs(hypot(COLUMN - 300, ROW - 300) - 150) < 0.5", "6", 5, " far-field"), 3'000);
+}
+
+TEST_CASE("aggregates with a far field fill the plane as exact ones do") {
+    for (const char* eta : {"1", "3", "6"}) {
+        double exact = 0.0, far = 0.0;
+        for (int draws = 1; draws <= 5; ++draws) {
+            exact += dimension(eta, draws) / 5.0;
+            far += dimension(eta, draws, " far-field") / 5.0;
+        }
+        WARN("dimensions of eta " << eta << ": " << exact << ", with a far field " << far);
+        CHECK(std::abs(exact - far) < 0.05);
+    }
 }

@@ -131,3 +131,18 @@ TEST_CASE("the size of a new charge may be drawn, and is kept in a chemical of i
         charges_message(start + "rule always aggregate order phi size mass 2\nrule always aggregate order phi\n"),
         Contains("t.pex:6") && Contains("same chemicals"));
 }
+
+TEST_CASE("a far field is asked for by all rules or none, and not where a place draws the growth") {
+    const Experiment e =
+        parse_experiment(charges_start + "rule always aggregate order phi far-field eta 2\n", "t.pex", ".");
+    CHECK(std::get<Aggregate>(e.rules.at(0).action).far_field);
+    CHECK(std::get<Aggregate>(e.rules.at(0).action).eta == Operand::number(2));
+    const std::string rule = "rule always aggregate order phi far-field\n";
+    CHECK(charges_message(charges_start + rule + rule) == "(none)");
+    CHECK_THAT(charges_message(charges_start + rule + "rule every 2 always aggregate order phi\n"),
+               Contains("t.pex:5") && Contains("all 'aggregate' rules of an experiment say 'far-field', or none"));
+    CHECK_THAT(charges_message(charges_start + "rule always aggregate order phi far-field towards 1 2 strength 3\n"),
+               Contains("t.pex:4:43: 'towards' and 'far-field' exclude each other"));
+    CHECK_THAT(charges_message(charges_start + "rule always aggregate order phi far-field far-field\n"),
+               Contains("'far-field'"));
+}

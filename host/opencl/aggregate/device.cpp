@@ -191,6 +191,10 @@ std::vector<std::uint32_t> DeviceAggregate::grow(const Front& front, std::span<c
     return sites;
 }
 
+std::size_t DeviceAggregate::candidate_bytes() const {
+    return place_room_ * (sizeof(cl_uint) + sizeof(cl_long) + sizeof(cl_int)) + place_room_ / block * sizeof(cl_ulong);
+}
+
 std::vector<std::int64_t> DeviceAggregate::sums(const Front& front) const {
     const std::size_t places = front.places().size();
     std::vector<std::int64_t> found(places);

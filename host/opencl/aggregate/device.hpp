@@ -20,6 +20,7 @@ public:
     std::size_t particles_at_once(const Front&) const override;
     std::vector<std::uint32_t> grow(const Front&, std::span<const Particle>) override;
     std::vector<std::int64_t> sums(const Front&) const override;
+    std::size_t candidate_bytes() const override;
 
 private:
     bool build();

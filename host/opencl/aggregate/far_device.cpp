@@ -1,6 +1,7 @@
 // See far_device.hpp.
 #include "opencl/aggregate/far_device.hpp"
 
+#include "opencl/aggregate/far_layout.hpp"
 #include "opencl/aggregate/far_tables.hpp"
 #include "opencl/device/launch.hpp"
 #include "opencl/device/program.hpp"
@@ -9,38 +10,15 @@
 
 #include <algorithm>
 #include <array>
-#include <bit>
-#include <limits>
 #include <utility>
 
 namespace pelage {
 
 namespace {
 
-constexpr std::size_t chunk = 64;  // candidates or charges, as in the kernels
+constexpr std::size_t chunk = 32;  // candidates or charges, as in the kernels
 constexpr std::size_t most_looking_groups = 4096;
-
-struct DeviceLevel {  // struct pelage_level of kernels/aggregate/far_tree.cl
-    cl_int columns, rows, first, shift;
-};
-
-struct DeviceLeaf {  // struct pelage_leaf
-    cl_long lowest = std::numeric_limits<cl_long>::max(), highest = 0;
-    cl_int candidates = 0, chunk = -1, charges = 0, charge_chunk = -1;
-};
-
-struct DeviceFarFront {  // struct pelage_far_front
-    cl_long lowest = std::numeric_limits<cl_long>::max(), lower = 0, upper = 0;
-    cl_float eta = 0.0f;
-    cl_int grain = 0, whole = 0;
-    cl_uint last = no_site;
-    cl_int charges = 0, candidates = 0, chunks = 0, left = -1, charge_chunks = 0, unused = 0;
-};
-
-struct DeviceFarParticle {  // struct pelage_far_particle of kernels/aggregate/far_draw.cl
-    cl_float eta, size;
-    cl_uint iteration, rule, key_low, key_high;
-};
+constexpr std::size_t most_at_once = 64;  // particles of a launch: for each there must be room
 
 std::string far_source() {
     Source source;
@@ -54,29 +32,18 @@ std::string far_options(std::size_t items, bool sized, std::size_t leaf) {
     return fmt::format("-DPELAGE_ITEMS={} -DPELAGE_SIZES={} -DPELAGE_LEAF={}", items, sized ? 1 : 0, leaf);
 }
 
-DeviceFarParticle device_particle(const Particle& one) {
-    const auto key = static_cast<std::uint64_t>(one.seed);
-    return {one.eta,
-            one.size,
-            static_cast<cl_uint>(one.iteration),
-            static_cast<cl_uint>(one.rule),
-            static_cast<cl_uint>(key),
-            static_cast<cl_uint>(key >> 32)};
-}
-
-std::vector<DeviceLevel> device_levels(const FarGrid& grid) {
-    std::vector<DeviceLevel> levels;
-    for (const FarLevel& level : grid.levels) {
-        levels.push_back({static_cast<cl_int>(level.columns), static_cast<cl_int>(level.rows),
-                          static_cast<cl_int>(level.first), std::countr_zero(level.side)});
-    }
-    return levels;
+// A processor takes one item, whose loops its compiler turns into vectors; PoCL, whatever is asked for: it copies what
+// comes after a barrier for each way that leads there, and here many do.
+std::size_t far_items(const Session& session) {
+    constexpr std::size_t most = 256;
+    const bool one = session.info().processor() && !session.info().watches_memory();
+    return one ? 1 : growing_items(session, most);
 }
 
 }  // namespace
 
 DeviceFarAggregate::DeviceFarAggregate(std::shared_ptr<const Session> session, bool sized, FarGrid grid)
-    : session_(std::move(session)), sized_(sized), grid_(std::move(grid)), items_(growing_items(*session_, 256)) {
+    : session_(std::move(session)), sized_(sized), grid_(std::move(grid)), items_(far_items(*session_)) {
     while (!build()) items_ /= 2;
     const std::vector<DeviceLevel> levels = device_levels(grid_);
     levels_ = session_->buffer(levels.size() * sizeof(DeviceLevel), "levels of blocks");
@@ -91,8 +58,8 @@ DeviceFarAggregate::DeviceFarAggregate(std::shared_ptr<const Session> session, b
     added_ = session_->buffer(grid_.blocks() * sizeof(cl_long), "additions to blocks");
     best_ = session_->buffer(grid_.blocks() * sizeof(cl_long), "bounds of blocks");
     totals_ = session_->buffer(grid_.blocks() * sizeof(cl_ulong), "weights of blocks");
-    particles_ = session_->buffer(most_particles_at_once * sizeof(DeviceFarParticle), "particles");
-    chosen_ = session_->buffer(most_particles_at_once * sizeof(cl_uint), "chosen sites");
+    particles_ = session_->buffer(most_at_once * sizeof(DeviceFarParticle), "particles");
+    chosen_ = session_->buffer(most_at_once * sizeof(cl_uint), "chosen sites");
 }
 
 bool DeviceFarAggregate::build() {
@@ -148,13 +115,17 @@ void DeviceFarAggregate::clear_states(const Front& front) {
     fill(*session_, states_, states.data(), states.size() * sizeof(cl_uint));
 }
 
-// Room for what so many more charges may need: their candidates fill chunks, and begin one in each leaf.
+// Room for what so many more charges may need: the new candidates of one lie in four leaves at most, and begin no more
+// than one chunk in each.
 void DeviceFarAggregate::reserve(std::size_t more) {
-    const std::size_t offered = more * most_new_candidates;
-    candidate_chunks_ += offered / chunk + std::min(offered, grid_.leaves()) + 1;
-    charge_chunks_ += more / chunk + std::min(more, grid_.leaves()) + 1;
-    if (candidate_chunks_ > candidate_room_) reserve_candidates(candidate_chunks_ + candidate_chunks_ / 4);
-    if (charge_chunks_ > charge_room_) reserve_charges(charge_chunks_ + charge_chunks_ / 4);
+    candidate_chunks_ += 4 * more;
+    charge_chunks_ += more;
+    if (candidate_chunks_ > candidate_room_) reserve_candidates(candidate_chunks_ + candidate_chunks_ / 8);
+    if (charge_chunks_ > charge_room_) reserve_charges(charge_chunks_ + charge_chunks_ / 8);
+}
+
+std::size_t DeviceFarAggregate::candidate_bytes() const {
+    return candidate_room_ * (chunk * (sizeof(cl_uint) + 2 * sizeof(cl_long)) + sizeof(cl_int));
 }
 
 void DeviceFarAggregate::reserve_candidates(std::size_t chunks) {
@@ -177,8 +148,7 @@ void DeviceFarAggregate::upload(const Front& front, const std::vector<std::int64
     const std::size_t count = front.charges().size(), renewed = far_renewal(count);
     for (std::size_t first = 0; first < count;) {
         const std::size_t end = first < renewed ? renewed : count;
-        const std::size_t some =
-            std::min(end - first, session_->info().software_rasteriser() ? 1 : most_particles_at_once);
+        const std::size_t some = std::min(end - first, session_->info().software_rasteriser() ? 1 : most_at_once);
         replay(front, first, some);
         first += some;
         if (first == renewed) renew();
@@ -196,10 +166,16 @@ void DeviceFarAggregate::replay(const Front& front, std::size_t first, std::size
     fill(*session_, sizes, front.sizes().data() + first, count * sizeof(cl_float));
     Arguments(*session_, replay_, bind(replay_)).add(arrived, sizes, count);
     run(replay_, 1);
+    count_chunks();
+}
+
+// Those in use; returns how many charges there are.
+std::size_t DeviceFarAggregate::count_chunks() {
     DeviceFarFront state;
     session_->queue().enqueueReadBuffer(front_, CL_TRUE, 0, sizeof state, &state);
     candidate_chunks_ = static_cast<std::size_t>(state.chunks);
     charge_chunks_ = static_cast<std::size_t>(state.charge_chunks);
+    return static_cast<std::size_t>(state.charges);
 }
 
 std::size_t DeviceFarAggregate::looking_groups() const {
@@ -221,7 +197,7 @@ std::size_t DeviceFarAggregate::particles_at_once(const Front& front) const {
     if (session_->info().software_rasteriser()) return 1;
     const std::size_t charges = front.charges().size();
     std::size_t count = 1;
-    while (count < most_particles_at_once && far_renewal(charges + count) != charges + count) ++count;
+    while (count < most_at_once && far_renewal(charges + count) != charges + count) ++count;
     return count;
 }
 
@@ -234,11 +210,7 @@ std::vector<std::uint32_t> DeviceFarAggregate::grow(const Front& front, std::spa
     run(grow_, 1);
     std::vector<cl_uint> chosen(asked.size());
     session_->queue().enqueueReadBuffer(chosen_, CL_TRUE, 0, chosen.size() * sizeof(cl_uint), chosen.data());
-    DeviceFarFront state;
-    session_->queue().enqueueReadBuffer(front_, CL_TRUE, 0, sizeof state, &state);
-    candidate_chunks_ = static_cast<std::size_t>(state.chunks);
-    charge_chunks_ = static_cast<std::size_t>(state.charge_chunks);
-    const auto charges = static_cast<std::size_t>(state.charges);
+    const std::size_t charges = count_chunks();
     if (charges > front.charges().size() && far_renewal(charges) == charges) renew();
     std::vector<std::uint32_t> sites;
     for (const cl_uint site : chosen) {

@@ -22,6 +22,7 @@ public:
     std::size_t particles_at_once(const Front&) const override;
     std::vector<std::uint32_t> grow(const Front&, std::span<const Particle>) override;
     std::vector<std::int64_t> sums(const Front&) const override;
+    std::size_t candidate_bytes() const override;
 
 private:
     bool build();
@@ -30,6 +31,7 @@ private:
     void reserve(std::size_t more);
     void reserve_candidates(std::size_t chunks);
     void reserve_charges(std::size_t chunks);
+    std::size_t count_chunks();
     cl_uint bind(cl::Kernel&) const;
     void run(const cl::Kernel&, std::size_t groups) const;
     void replay(const Front&, std::size_t first, std::size_t count);

@@ -30,6 +30,9 @@ public:
 
     // Of size / r, one a place of the front, in parts.
     virtual std::vector<std::int64_t> sums(const Front&) const = 0;
+
+    // Of the buffers that grow with the candidates.
+    virtual std::size_t candidate_bytes() const = 0;
 };
 
 // A site as kernels/aggregate/terms.cl has it, and back.
