@@ -1,5 +1,5 @@
-// Fuzzer of the readers of models: any bytes must give a network whose arrays are whole and finite, or an Error that names
-// the file.
+// Fuzzer of the readers of models: any bytes must give a network whose arrays are whole and finite, or an Error that
+// names the file.
 #include "core/error.hpp"
 #include "io/network.hpp"
 
