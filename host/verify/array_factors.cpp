@@ -70,6 +70,7 @@ std::vector<Factor> volume_worlds() {
 std::vector<Factor> mesh_worlds() {
     return joined({{"shape", {"icosphere", "torus", "odd"}},
                    {"weights", {"uniform", "cotangent"}},
+                   {"width", {"own", "1", "other"}},
                    {"group", {"usual", "several"}},
                    {"rates", {"uniform", "uneven", "changing"}},
                    {"network", {"none", "drawn"}}},

@@ -21,13 +21,14 @@ Size taken_in_turn(const GeneratedWorld& made, std::initializer_list<Size> sizes
     return sizes.begin()[made.number % sizes.size()];
 }
 
-// One cell and lines; fewer layers than a wave has steps; several strips; or more cells than 16 bits count.
+// One cell and lines; fewer layers than a wave has steps; as many as it needs, and rows for several strips; or more
+// cells than 16 bits count.
 std::vector<Size> volume_sizes_of(const GeneratedWorld& made) {
     const auto turn = [&](std::initializer_list<Size> sizes) { return taken_in_turn(made, sizes); };
     if (Values(Realm::volume, made.world).has("extent", "many"))
         return {{5, 4, 3}, turn({{37, 43, 47}, {65'541, 1, 1}, {1, 65'541, 1}, {1, 1, 65'541}})};
-    return {turn({{1, 1, 9}, {9, 1, 1}, {1, 7, 2}, {1, 1, 1}}), turn({{7, 5, 3}, {5, 23, 2}, {16, 3, 4}, {2, 2, 2}}),
-            turn({{33, 2, 9}, {18, 17, 6}, {65, 3, 4}, {31, 9, 5}})};
+    return {turn({{1, 1, 9}, {9, 1, 1}, {1, 7, 2}, {1, 1, 1}}), turn({{7, 5, 3}, {33, 2, 9}, {16, 3, 4}, {2, 2, 2}}),
+            turn({{33, 15, 5}, {18, 17, 6}, {65, 14, 5}, {9, 31, 7}})};
 }
 
 // Of an icosphere the columns say how often its triangles are cut.
@@ -111,7 +112,8 @@ std::vector<Size> generated_sizes(const GeneratedWorld& made, Realm realm) {
 std::vector<std::uint64_t> generated_strides(Size size, Realm realm) {
     if (realm == Realm::charges) return {1, 2, 60, 257};
     const std::size_t cells = size.cells();
-    if (cells > 5000 && realm == Realm::volume) return {1, 3};
+    if (realm == Realm::volume && cells > 1000)
+        return cells > 5000 ? std::vector<std::uint64_t>{1, 3} : std::vector<std::uint64_t>{1, 1, 3, 1, 8};
     if (cells > 5000) return {1, 1, 3, 2};
     if (cells > 1000) return {1, 1, 3, 1, 8, 26};
     return {1, 1, 3, 1, 2, 11};

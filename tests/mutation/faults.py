@@ -145,9 +145,12 @@ FAULTS = [
     ("layers beyond the last one not left out", "kernels/volume/neighbours.cl",
      "|| layer + deep < 0 || layer + deep >= layers;", "|| layer + deep < 0;"),
     # Meshes
-    ("a mesh's z in the order of its file", "kernels/mesh/step.cl", "places[2L * cells + at]", "places[2L * cells + id]"),
-    ("a vertex without its last neighbour", "kernels/mesh/step.cl", "entry < end; ++entry", "entry + 1 < end; ++entry"),
-    ("all edges of a vertex weigh as its first", "kernels/mesh/step.cl", "weights[entry]", "weights[begin]"),
+    ("a mesh's z that is its y", "kernels/mesh/step.cl", "places + 2L * pitch + first", "places + pitch + first"),
+    ("a vertex without its last neighbour", "kernels/mesh/step.cl", "k < longest; ++k", "k + 1 < longest; ++k"),
+    ("all edges of a vertex weigh as its first", "kernels/mesh/step.cl", "LOAD(weights + list + k * 16L)",
+     "LOAD(weights + list)"),
+    ("the second of two chemicals of a mesh lost in half of the lanes", "kernels/mesh/pairs.cl",
+     "right.even = u.hi, right.odd = v.hi;", "right.even = u.hi, right.odd = u.hi;"),
     # Aggregates
     ("sums that forget the charges before the last", "kernels/aggregate/step.cl",
      "sums[OF(first, n)] += (long)inverses[n];", "sums[OF(first, n)] = (long)inverses[n];"),
