@@ -23,10 +23,10 @@ static inline int pelage_best_leaf(const struct pelage_far far, long* bound) {
     *bound = 0l;
     for (int number = far.level_count - 1; number >= 0; --number) {
         const struct pelage_level level = far.levels[number];
-        const struct pelage_part part = pelage_part_of(level, 2 * x, 2 * y, 2 * x + 1, 2 * y + 1);
+        const int4 part = pelage_part_of(level, 2 * x, 2 * y, 2 * x + 1, 2 * y + 1);
         long best = LONG_MIN;
-        for (int row = part.y; row <= part.to_y; ++row) {
-            for (int column = part.x; column <= part.to_x; ++column) {
+        for (int row = part.y; row <= part.w; ++row) {
+            for (int column = part.x; column <= part.z; ++column) {
                 const int block = pelage_block(level, column, row);
                 if (far.best[block] <= best) continue;
                 best = far.best[block];
@@ -56,6 +56,7 @@ static inline long pelage_highest(const struct pelage_far far, local long* space
         ++looked;
         SYNC;
     }
+    SYNC;  // all have seen that the search is over
     for (int i = 0; i < looked && ITEM == 0; ++i) {
         const int leaf = far.looked_at[i];
         const long highest = far.leaves[leaf].highest;
@@ -70,14 +71,12 @@ struct pelage_bounds {  // of sums; and the scale of weights between them
     struct pelage_scale scale;
 };
 
-static inline struct pelage_bounds pelage_bounds_of(global const struct pelage_far_front* front, long highest,
-                                                    float eta) {
-    struct pelage_bounds bounds;
+static inline void pelage_bounds_of(global const struct pelage_far_front* front, long highest, float eta,
+                                    struct pelage_bounds* bounds) {
     const int grain = front->grain;
-    bounds.upper = ((highest >> grain) + 1l) << grain;
-    bounds.lower = (pelage_surely(front->lowest) >> grain) << grain;
-    bounds.scale = pelage_scale_of(-bounds.upper, -bounds.lower, eta);
-    return bounds;
+    bounds->upper = ((highest >> grain) + 1l) << grain;
+    bounds->lower = (pelage_surely(front->lowest) >> grain) << grain;
+    bounds->scale = pelage_scale_of(-bounds->upper, -bounds->lower, eta);
 }
 
 static inline ulong pelage_weight_of(const struct pelage_scale scale, long value) {
@@ -96,10 +95,10 @@ static inline ulong pelage_total_of(const struct pelage_far far, const struct pe
 }
 
 static inline ulong pelage_total_within(const struct pelage_far far, const struct pelage_level within, int x, int y) {
-    const struct pelage_part part = pelage_part_of(within, 2 * x, 2 * y, 2 * x + 1, 2 * y + 1);
+    const int4 part = pelage_part_of(within, 2 * x, 2 * y, 2 * x + 1, 2 * y + 1);
     ulong total = 0ul;
-    for (int row = part.y; row <= part.to_y; ++row) {
-        for (int column = part.x; column <= part.to_x; ++column)
+    for (int row = part.y; row <= part.w; ++row) {
+        for (int column = part.x; column <= part.z; ++column)
             total += far.totals[pelage_block(within, column, row)];
     }
     return total;
@@ -121,9 +120,9 @@ static inline void pelage_all_totals(const struct pelage_far far, const struct p
 // Those of the leaves near the last charge, and of the blocks that they lie in.
 static inline void pelage_totals_beside(const struct pelage_far far, const struct pelage_bounds bounds, uint site) {
     const struct pelage_level leaves = far.levels[0];
-    const struct pelage_part part = pelage_beside(leaves, SITE_X(site) / PELAGE_LEAF, SITE_Y(site) / PELAGE_LEAF);
-    for (int y = part.y; y <= part.to_y; ++y) {
-        for (int x = part.x; x <= part.to_x; ++x) {
+    const int4 part = pelage_beside(leaves, SITE_X(site) / PELAGE_LEAF, SITE_Y(site) / PELAGE_LEAF);
+    for (int y = part.y; y <= part.w; ++y) {
+        for (int x = part.x; x <= part.z; ++x) {
             const int leaf = pelage_block(leaves, x, y);
             const ulong total = pelage_total_of(far, bounds, leaf);
             const ulong more = total - far.totals[leaf];

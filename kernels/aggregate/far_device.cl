@@ -45,20 +45,20 @@ static inline void pelage_look_at(const struct pelage_far far, int number, int s
     float values[COEFFICIENTS], columns[PELAGE_LEAF * NODES];
     pelage_at_nodes(far, number, values);
     pelage_at_columns(far, values, columns);
-    struct pelage_found found = {LONG_MAX, NOTHING};
+    long lowest = LONG_MAX, highest = NOTHING;
     int chunk = leaf.chunk, count = pelage_in_first(leaf.candidates);
     for (int left = leaf.candidates; left > 0; left -= count, count = CHUNK) {
         if (left < leaf.candidates) chunk = far.next[chunk];
         for (int i = chunk * CHUNK + ITEM; i < chunk * CHUNK + count; i += PELAGE_ITEMS) {
             const long sum = far.near[i] + pelage_far_sum_in(far, columns, far.sites[i]);
-            found.lowest = min(found.lowest, sum);
-            found.highest = max(found.highest, sum);
+            lowest = min(lowest, sum);
+            highest = max(highest, sum);
             if (show) shown_sites[i] = far.sites[i];
             (show ? shown : far.known)[i] = sum;
         }
     }
-    leaf.lowest = pelage_least(found.lowest, space);
-    leaf.highest = pelage_most(found.highest, space);
+    leaf.lowest = pelage_least(lowest, space);
+    leaf.highest = pelage_most(highest, space);
     if (ITEM == 0 && !show) far.leaves[number] = leaf;
 }
 

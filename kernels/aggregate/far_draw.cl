@@ -22,8 +22,8 @@ static inline int pelage_descend(const struct pelage_far far, ulong* drawn) {
     int x = 0, y = 0, found = 0;
     for (int number = far.level_count - 1; number >= 0; --number) {
         const struct pelage_level level = far.levels[number];
-        const struct pelage_part part = pelage_part_of(level, 2 * x, 2 * y, 2 * x + 1, 2 * y + 1);
-        const int width = part.to_x - part.x + 1, parts = width * (part.to_y - part.y + 1);
+        const int4 part = pelage_part_of(level, 2 * x, 2 * y, 2 * x + 1, 2 * y + 1);
+        const int width = part.z - part.x + 1, parts = width * (part.w - part.y + 1);
         int i = 0;
         for (; i < parts; ++i) {
             found = pelage_block(level, part.x + i % width, part.y + i / width);
@@ -36,10 +36,10 @@ static inline int pelage_descend(const struct pelage_far far, ulong* drawn) {
     return found;
 }
 
-// The range of all sums.
-static inline struct pelage_found pelage_range_of_all(const struct pelage_far far, local long* space) {
+// The lowest and the highest of all sums.
+static inline long2 pelage_range_of_all(const struct pelage_far far, local long* space) {
     float values[COEFFICIENTS];
-    struct pelage_found found = {LONG_MAX, NOTHING};
+    long lowest = LONG_MAX, highest = NOTHING;
     for (int number = 0; number < far.levels[0].columns * far.levels[0].rows; ++number) {
         const struct pelage_leaf leaf = far.leaves[number];
         if (leaf.candidates == 0) continue;
@@ -47,13 +47,12 @@ static inline struct pelage_found pelage_range_of_all(const struct pelage_far fa
         for (int i = ITEM; i < leaf.candidates; i += PELAGE_ITEMS) {
             const int slot = pelage_slot(far, leaf, i);
             const long sum = far.near[slot] + pelage_far_sum(far, values, far.sites[slot]);
-            found.lowest = min(found.lowest, sum);
-            found.highest = max(found.highest, sum);
+            lowest = min(lowest, sum);
+            highest = max(highest, sum);
         }
     }
-    found.lowest = pelage_least(found.lowest, space);
-    found.highest = pelage_most(found.highest, space);
-    return found;
+    lowest = pelage_least(lowest, space);
+    return (long2)(lowest, pelage_most(highest, space));
 }
 
 static inline ulong pelage_weight_in(const struct pelage_far far, const struct pelage_scale scale,
@@ -74,8 +73,8 @@ static inline ulong pelage_weights_of_leaf(const struct pelage_far far, const st
 
 // Where draws have been rejected too often: of all candidates, leaf by leaf, as pelage_choose() does it.
 static inline uint pelage_choose_of_all(const struct pelage_far far, float eta, ulong draw, local long* space) {
-    const struct pelage_found range = pelage_range_of_all(far, space);
-    const struct pelage_scale scale = pelage_scale_of(-range.highest, -range.lowest, eta);
+    const long2 range = pelage_range_of_all(far, space);
+    const struct pelage_scale scale = pelage_scale_of(-range.y, -range.x, eta);
     ulong total = 0ul, passed = 0ul;
     const int leaves = far.levels[0].columns * far.levels[0].rows;
     for (int i = 0; i < leaves; ++i) total += pelage_weights_of_leaf(far, scale, i, space);
@@ -131,7 +130,7 @@ static inline uint pelage_far_choose(const struct pelage_far far, const struct p
     const long highest = pelage_highest(far, space);
     const float eta = floor(particle.eta * 16.0f) * 0.0625f;
     struct pelage_target target;
-    target.bounds = pelage_bounds_of(far.front, highest, eta);
+    pelage_bounds_of(far.front, highest, eta, &target.bounds);
     pelage_make_totals(far, target.bounds, eta);
     target.scale = pelage_scale_of(-target.bounds.upper, -target.bounds.lower, particle.eta);
     target.scale.lowest = -highest;

@@ -19,17 +19,13 @@ static inline long pelage_at_most(int x, int y, int side, float size) {
     return term + (term >> 10) + 1l;
 }
 
-struct pelage_part {  // blocks of a level, from the first to the last of either
-    int x, y, to_x, to_y;
-};
-
-// The blocks of a level from `lowest` to `highest` columns and rows away, where there are any.
-static inline struct pelage_part pelage_part_of(const struct pelage_level level, int x, int y, int to_x, int to_y) {
-    const struct pelage_part part = {max(x, 0), max(y, 0), min(to_x, level.columns - 1), min(to_y, level.rows - 1)};
-    return part;
+// What there is of the blocks of a level from (x, y) to (z, w). Not a struct of one's own: Oclgrind 21.10 cannot inline a
+// function that returns one.
+static inline int4 pelage_part_of(const struct pelage_level level, int x, int y, int to_x, int to_y) {
+    return (int4)(max(x, 0), max(y, 0), min(to_x, level.columns - 1), min(to_y, level.rows - 1));
 }
 
-static inline struct pelage_part pelage_beside(const struct pelage_level level, int x, int y) {
+static inline int4 pelage_beside(const struct pelage_level level, int x, int y) {
     return pelage_part_of(level, x - 1, y - 1, x + 1, y + 1);
 }
 
@@ -38,10 +34,10 @@ static inline void pelage_spread(const struct pelage_far far, int number, uint s
     const struct pelage_level level = far.levels[number];
     const int side = PELAGE_LEAF << number;
     const int x = SITE_X(site) >> level.shift, y = SITE_Y(site) >> level.shift;
-    const struct pelage_part part =
+    const int4 part =
         pelage_part_of(level, (x / 2 - 1) * 2, (y / 2 - 1) * 2, (x / 2 + 1) * 2 + 1, (y / 2 + 1) * 2 + 1);
-    for (int row = part.y; row <= part.to_y; ++row) {
-        for (int column = part.x; column <= part.to_x; ++column) {
+    for (int row = part.y; row <= part.w; ++row) {
+        for (int column = part.x; column <= part.z; ++column) {
             if (max(abs(column - x), abs(row - y)) <= 1u) continue;
             const int block = pelage_block(level, column, row);
             const int over = column * side - SITE_X(site), up = row * side - SITE_Y(site);

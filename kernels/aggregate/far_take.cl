@@ -1,28 +1,23 @@
 // A site becomes a charge: all sums take it in, near ones at once, far ones by way of blocks.
 
-// What a group finds out about a leaf.
-struct pelage_found {
-    long lowest, highest;
-};
-
-// The candidates of a chunk take in a charge; lowest: of what is known, highest: of what the charge adds.
-static inline struct pelage_found pelage_pull_chunk(global const uint* sites, global long* near,
-                                                    global long* known, int count, uint site, float size,
-                                                    struct pelage_found found) {
+// The candidates of a chunk take in a charge. x: the lowest of what is known, y: the highest of what the charge adds.
+static inline long2 pelage_pull_chunk(global const uint* sites, global long* near, global long* known, int count,
+                                      uint site, float size, long2 found) {
+    long lowest = found.x, highest = found.y;
     for (int i = ITEM; i < count; i += PELAGE_ITEMS) {
         const long term = (long)pelage_term(sites[i], site, size);
         near[i] += term;
         const long sum = known[i] + term;
         known[i] = sum;
-        found.lowest = sum < found.lowest ? sum : found.lowest;
-        found.highest = term > found.highest ? term : found.highest;
+        lowest = sum < lowest ? sum : lowest;
+        highest = term > highest ? term : highest;
     }
-    return found;
+    return (long2)(lowest, highest);
 }
 
 static inline void pelage_pull_leaf(const struct pelage_far far, int number, uint site, float size,
                                     local long* space) {
-    struct pelage_found found = {LONG_MAX, 0l};
+    long2 found = (long2)(LONG_MAX, 0l);
     const int candidates = far.leaves[number].candidates;
     int chunk = far.leaves[number].chunk, count = pelage_in_first(candidates);
     for (int left = candidates; left > 0; left -= count, count = CHUNK) {
@@ -30,11 +25,10 @@ static inline void pelage_pull_leaf(const struct pelage_far far, int number, uin
         const int first = chunk * CHUNK;
         found = pelage_pull_chunk(far.sites + first, far.near + first, far.known + first, count, site, size, found);
     }
-    found.lowest = pelage_least(found.lowest, space);
-    found.highest = pelage_most(found.highest, space);
+    const long lowest = pelage_least(found.x, space), highest = pelage_most(found.y, space);
     if (ITEM != 0) return;
-    far.leaves[number].lowest = found.lowest;
-    far.best[number] = candidates == 0 ? NOTHING : far.best[number] + found.highest;
+    far.leaves[number].lowest = lowest;
+    far.best[number] = candidates == 0 ? NOTHING : far.best[number] + highest;
 }
 
 // What the charges of a leaf add at a site.
@@ -53,10 +47,10 @@ static inline long pelage_sum_of_leaf(const struct pelage_far far, int number, u
 
 static inline long pelage_near_sum(const struct pelage_far far, uint site, local long* space) {
     const struct pelage_level level = far.levels[0];
-    const struct pelage_part part = pelage_beside(level, SITE_X(site) / PELAGE_LEAF, SITE_Y(site) / PELAGE_LEAF);
+    const int4 part = pelage_beside(level, SITE_X(site) / PELAGE_LEAF, SITE_Y(site) / PELAGE_LEAF);
     long sum = 0l;
-    for (int y = part.y; y <= part.to_y; ++y) {
-        for (int x = part.x; x <= part.to_x; ++x) sum += pelage_sum_of_leaf(far, pelage_block(level, x, y), site);
+    for (int y = part.y; y <= part.w; ++y) {
+        for (int x = part.x; x <= part.z; ++x) sum += pelage_sum_of_leaf(far, pelage_block(level, x, y), site);
     }
     return pelage_sum_of(sum, space);
 }
@@ -64,10 +58,10 @@ static inline long pelage_near_sum(const struct pelage_far far, uint site, local
 // The best of a block, from those of the blocks within.
 static inline void pelage_lift(const struct pelage_far far, int number, int x, int y) {
     const struct pelage_level within = far.levels[number - 1];
-    const struct pelage_part part = pelage_part_of(within, 2 * x, 2 * y, 2 * x + 1, 2 * y + 1);
+    const int4 part = pelage_part_of(within, 2 * x, 2 * y, 2 * x + 1, 2 * y + 1);
     long best = NOTHING;
-    for (int row = part.y; row <= part.to_y; ++row) {
-        for (int column = part.x; column <= part.to_x; ++column)
+    for (int row = part.y; row <= part.w; ++row) {
+        for (int column = part.x; column <= part.z; ++column)
             best = max(best, far.best[pelage_block(within, column, row)]);
     }
     const int block = pelage_block(far.levels[number], x, y);
@@ -98,10 +92,10 @@ static inline long pelage_surely(long sum) { return sum - (sum >> 16); }
 static inline void pelage_lift_beside(const struct pelage_far far, uint site) {
     for (int number = 1; number < far.level_count; ++number) {
         const struct pelage_level level = far.levels[number];
-        const struct pelage_part part =
+        const int4 part =
             pelage_beside(level, SITE_X(site) >> level.shift, SITE_Y(site) >> level.shift);
-        for (int y = part.y; y <= part.to_y; ++y) {
-            for (int x = part.x; x <= part.to_x; ++x) pelage_lift(far, number, x, y);
+        for (int y = part.y; y <= part.w; ++y) {
+            for (int x = part.x; x <= part.z; ++x) pelage_lift(far, number, x, y);
         }
     }
 }
@@ -150,9 +144,9 @@ static inline void pelage_far_take(const struct pelage_far far, uint site, float
     const int x = SITE_X(site), y = SITE_Y(site);
     if (ITEM == 0) pelage_move(far, site, size);
     SYNC;
-    const struct pelage_part part = pelage_beside(far.levels[0], x / PELAGE_LEAF, y / PELAGE_LEAF);
-    for (int row = part.y; row <= part.to_y; ++row) {
-        for (int column = part.x; column <= part.to_x; ++column)
+    const int4 part = pelage_beside(far.levels[0], x / PELAGE_LEAF, y / PELAGE_LEAF);
+    for (int row = part.y; row <= part.w; ++row) {
+        for (int column = part.x; column <= part.z; ++column)
             pelage_pull_leaf(far, pelage_block(far.levels[0], column, row), site, size, space);
     }
     for (int number = 0; number < far.level_count; ++number) pelage_spread(far, number, site, size);

@@ -140,7 +140,7 @@ TEST_CASE("a far field is asked for by all rules or none, and not where a place 
     const std::string rule = "rule always aggregate order phi far-field\n";
     CHECK(charges_message(charges_start + rule + rule) == "(none)");
     CHECK_THAT(charges_message(charges_start + rule + "rule every 2 always aggregate order phi\n"),
-               Contains("t.pex:5") && Contains("all 'aggregate' rules of an experiment say 'far-field', or none"));
+               Contains("t.pex:5") && Contains("all `aggregate` rules of an experiment say `far-field`, or none"));
     CHECK_THAT(charges_message(charges_start + "rule always aggregate order phi far-field towards 1 2 strength 3\n"),
                Contains("t.pex:4:43: 'towards' and 'far-field' exclude each other"));
     CHECK_THAT(charges_message(charges_start + "rule always aggregate order phi far-field far-field\n"),
