@@ -57,7 +57,7 @@ static inline long pelage_highest(const struct pelage_far far, local long* space
         SYNC;
     }
     SYNC;  // all have seen that the search is over
-    for (int i = 0; i < looked && ITEM == 0; ++i) {
+    for (int i = 0; i < (ITEM == 0 ? looked : 0); ++i) {
         const int leaf = far.looked_at[i];
         const long highest = far.leaves[leaf].highest;
         pelage_set_best(far, leaf, highest + pelage_doubt(highest));
