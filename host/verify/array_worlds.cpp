@@ -21,7 +21,7 @@ const Covering& worlds(Realm realm, std::size_t strength) {
 
 // About how long the compiler is at one rule.
 std::size_t cost(const Values& world) {
-    std::size_t cost = world["width"] == "1" ? 2 : 3;
+    std::size_t cost = world.has("width", "1") ? 2 : 3;
     if (world["precision"] == "double") cost += 1;
     if (world.realm() == Realm::lattice && world["path"] == "streamed") return 8 * cost;
     if (world.has("path", "tiled")) return 4 * cost;
