@@ -161,4 +161,12 @@ FAULTS = [
     ("a network's gate four times as steep, not five", "kernels/rules/neural.cl", "R(5) * z[k]", "R(4) * z[k]"),
     ("a network without its first hidden values", "kernels/rules/neural.cl", "f[i] = pelage_answer_block(z, w, f[i]);",
      "f[i] = pelage_answer_block(z, w, R(0));"),
+    # A far field
+    ("nodes of a block one site off", "kernels/aggregate/far_field.cl", "(side * nodes[i] - 0.5f)", "(side * nodes[i] + 0.5f)"),
+    ("blocks to the left of a charge left out", "kernels/aggregate/far_field.cl", "(x / 2 - 1) * 2, (y", "(x / 2) * 2, (y"),
+    ("a leaf's bound without what a near charge adds", "kernels/aggregate/far_take.cl", "far.best[number] + highest;",
+     "far.best[number];"),
+    ("a block's bound without what far charges add", "kernels/aggregate/far_take.cl", "best + far.added[block];", "best;"),
+    ("draws accepted that are to be rejected", "kernels/aggregate/far_draw.cl", "rest < pelage_weight_of(",
+     "rest > pelage_weight_of("),
 ]
