@@ -1,7 +1,8 @@
 // See openmp_charges.hpp. Compiled as openmp_rows.cpp is.
 #include "bench/openmp_charges.hpp"
 
-#if defined(__x86_64__) && defined(__gnu_linux__)
+// ThreadSanitizer has not begun when the choice is made, and would break it.
+#if defined(__x86_64__) && defined(__gnu_linux__) && !defined(__SANITIZE_THREAD__)
 #define PELAGE_LEVELS __attribute__((target_clones("arch=x86-64-v4", "arch=x86-64-v3", "default")))
 #else
 #define PELAGE_LEVELS

@@ -2,7 +2,8 @@
 // neither changes a value. Compiled once a level of x86-64, chosen when the program starts.
 #include "bench/openmp_rows.hpp"
 
-#if defined(__x86_64__) && defined(__gnu_linux__)
+// ThreadSanitizer has not begun when the choice is made, and would break it.
+#if defined(__x86_64__) && defined(__gnu_linux__) && !defined(__SANITIZE_THREAD__)
 #define PELAGE_LEVELS __attribute__((target_clones("arch=x86-64-v4", "arch=x86-64-v3", "default")))
 #else
 #define PELAGE_LEVELS

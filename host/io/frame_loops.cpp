@@ -4,7 +4,8 @@
 
 #include <limits>
 
-#if defined(__x86_64__) && defined(__gnu_linux__)
+// ThreadSanitizer has not begun when the choice is made, and would break it.
+#if defined(__x86_64__) && defined(__gnu_linux__) && !defined(__SANITIZE_THREAD__)
 #define PELAGE_LEVELS __attribute__((target_clones("arch=x86-64-v4", "arch=x86-64-v3", "default")))
 #else
 #define PELAGE_LEVELS

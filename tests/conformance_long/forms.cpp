@@ -38,10 +38,29 @@ std::set<std::string> lines_of(const std::filesystem::path& file) {
     return {std::istream_iterator<std::string>(lines), {}};
 }
 
-// Who is left out of the smallest form under Oclgrind, and why.
+// Who is never launched under Oclgrind, and why.
 const std::set<std::string> not_launched{
     "pelage_copy", "pelage_multiply_add",  // of the benchmarks: every work-item has numbers of its own
+    "pelage_lattice_means",                // on processors alone: likewise
 };
+
+// A step of learning has no small form. Oclgrind cannot interpret what its compiler makes of `restrict` where functions
+// become part of others.
+std::set<std::string> launched_by_learning() {
+    Surroundings surroundings = under_oclgrind();
+    surroundings.patience = patience;
+    const Folder folder;
+    surroundings.environment["PELAGE_LAUNCHED"] = folder / "launched";
+    surroundings.environment["PELAGE_CACHE"] = folder / "cache";
+    surroundings.environment["OCLGRIND_BUILD_OPTIONS"] = "-cl-opt-disable -Drestrict=";
+
+    const Verification verification =
+        verify({"--quick", "--jobs", "1", "--limit", "1700"}, surroundings, "learning/one-rotation");
+
+    require_equal_bits(verification);
+    CHECK(verification.process.err.empty());
+    return lines_of(folder / "launched");
+}
 
 }  // namespace
 
@@ -71,7 +90,8 @@ TEST_CASE("rusticl gives the reference's bits in the whole quick form") {
 // Oclgrind takes a truth that fills a vector for 1 where all bits should be set. Compilers make one of a comparison of
 // what all lanes share; a generated world has such a one, `Y < -3.25`, in vectors of eight.
 TEST_CASE(
-    "Oclgrind finds nothing in the whole quick form, and but for one comparison of its own the reference's bits") {
+    "Oclgrind finds nothing in the whole quick form nor in any kernel, and but for one comparison of its own the "
+    "reference's bits") {
     if (oclgrind_missing()) return;
     Surroundings surroundings = under_oclgrind();
     surroundings.patience = patience;
@@ -86,9 +106,11 @@ TEST_CASE(
     CHECK(verification.of("failed") == Names{"pairs/lattice/5-tiled-five-point-no-flux"});
     CHECK(verification.of("mistrusted").empty());
     CHECK(verification.skipped() == Names{"device/subnormal", "neighbours/many", "values/denormal/published",
-                                          "sizes/many-rows", "cells/near-zero", "cells/many", "learning/one-rotation"});
+                                          "sizes/many-rows", "sizes/many-columns-around", "cells/near-zero",
+                                          "cells/many", "learning/one-rotation"});
+    std::set<std::string> launched = lines_of(folder / "launched");
+    launched.merge(launched_by_learning());
     const std::set<std::string> all = all_kernels();
-    const std::set<std::string> launched = lines_of(folder / "launched");
     CHECK(all.size() > 50);
     std::set<std::string> others;
     std::ranges::set_difference(all, launched, std::inserter(others, others.end()));
