@@ -66,6 +66,27 @@ Experiment experiment_of(const AggregateCase& one) {
     return parse_experiment(text, one.name, ".");
 }
 
+// Which site comes next is no number that may be nearly right: fast arithmetic is not taken here.
+Outcome check_fast_aggregate(Place& place) {
+    OpenclOptions options;
+    options.device = std::to_string(place.device().index);
+    options.guarded = true;
+    options.fast = true;
+    const Experiment experiment = experiment_of(aggregate_cases.front());
+    const Snapshot initial = initial_state(experiment, Precision::single_);
+    const auto expected = reference_backend(Precision::single_)->make_tissue(experiment, initial);
+    const auto found = opencl_backend(options)->make_tissue(experiment, initial);
+    Outcome outcome;
+    for (const std::uint64_t steps : std::span(stretches).first(stretches_if_small)) {
+        expected->advance(steps);
+        found->advance(steps);
+        add(outcome.tally, expected->read(), found->read(), Precision::single_,
+            fmt::format("fast, iteration {}", found->iteration()));
+    }
+    conclude(outcome);
+    return outcome;
+}
+
 Outcome check_aggregate(const AggregateCase& one, Place& place) {
     if (place.small() && one.large) return {Verdict::skipped, {}, "left out with --small", {}};
     const std::size_t group = std::min<std::size_t>(8, place.device().max_work_group);
@@ -74,6 +95,7 @@ Outcome check_aggregate(const AggregateCase& one, Place& place) {
     if (place.full()) {
         settings.push_back({.work_group = group});
         settings.push_back({.path = Path::shared, .work_group = group});
+        settings.push_back({.path = Path::automatic});
     }
     Outcome outcome;
     const Experiment experiment = experiment_of(one);
@@ -104,6 +126,7 @@ std::vector<Check> aggregate_checks() {
         checks.push_back(
             {one.name, "aggregates", one.quick, [&one](Place& place) { return check_aggregate(one, place); }});
     }
+    checks.push_back({"aggregate/fast", "aggregates", false, check_fast_aggregate});
     return checks;
 }
 

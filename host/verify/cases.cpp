@@ -173,7 +173,7 @@ const std::vector<Case>& lattice_cases() {
     static const std::vector<Case> table = [] {
         std::vector<Case> cases;
         for (const auto& part : {diffusion_cases(), reaction_cases(), rate_cases(), rule_cases(), growth_cases(),
-                                 neural_cases(), extreme_cases(), volume_cases()}) {
+                                 neural_cases(), extreme_cases(), volume_cases(), timed_cases()}) {
             cases.insert(cases.end(), part.begin(), part.end());
         }
         return cases;

@@ -47,6 +47,7 @@ std::vector<Case> growth_cases();
 std::vector<Case> neural_cases();
 std::vector<Case> extreme_cases();  // saturation, special values, sizes
 std::vector<Case> volume_cases();
+std::vector<Case> timed_cases();  // of lattices and of volumes
 
 // 1x1, lines, tiny rectangles, around a vector's and a work-group's width, primes.
 std::vector<Size> sharp_sizes();

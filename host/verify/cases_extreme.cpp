@@ -160,6 +160,11 @@ std::vector<Case> extreme_cases() {
          .experiment = matrix(spreading, Boundary::wrap),
          .sizes = {{19, 11}, {97, 101}, {203, 211}},
          .iterations = 90},
+        // More cells than a launch of shared steps takes all iterations of.
+        {.name = "sizes/many-cells",
+         .experiment = matrix(spreading, Boundary::no_flux),
+         .sizes = {{1033, 1021}},
+         .iterations = 3},
         {.name = "sizes/many-columns-around",
          .experiment = looking_around,
          .sizes = {{65'539, 3}, {3, 65'539}},

@@ -155,6 +155,7 @@ Experiment restless(Lab lab) {
         rule.until = 90 - i;
     }
     lab.rule(react(model_named("turing"), {a, b}, {16, 12}, 0.25)).until = 70;
+    lab.rule(change(a, number(1))).from = (std::uint64_t{1} << 32) + 5;  // never: no iteration has 33 bits
     return lab.time_step(0.02).done();
 }
 

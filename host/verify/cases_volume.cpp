@@ -97,7 +97,8 @@ Experiment ruled_volume(Lab lab) {
         lab.rule(change(slope, quantity(what, fed)), compare(quantity(what, slope), Comparison::less, number(0.5)));
     const auto mapping = lab.mapping("M");
     lab.rule(Map{volume_conc(fed), 6, 14, mapping, -1, 1});
-    lab.rule(change(fed, quantity(Quantity::mapping, mapping), 0.125), Probability{number(0.5)}).every = 2;
+    // Seldom enough that waves of several steps lie between.
+    lab.rule(change(fed, quantity(Quantity::mapping, mapping), 0.125), Probability{number(0.5)}).every = 7;
     lab.rule(And{}, compare(quantity(Quantity::layer), Comparison::greater_equal, quantity(Quantity::row)));
     lab.rule(Set{Target::concentration, fed, quantity(Quantity::random)}, Probability{number(0.05)});
     const std::size_t product = lab.expression(

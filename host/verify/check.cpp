@@ -120,7 +120,7 @@ std::vector<Check> all_checks(std::uint64_t seed) {
     std::vector<Check> checks = primitive_checks(seed);
     for (auto part : {function_checks(), neighbour_checks(seed), gather_checks(seed), lattice_checks(), batch_checks(),
                       law_checks(seed), cell_checks(), aggregate_checks(), learn_checks(), mesh_checks(),
-                      checkpoint_checks(), array_checks(), finite_checks(), random_checks(seed)}) {
+                      checkpoint_checks(), array_checks(), finite_checks(), reading_checks(), random_checks(seed)}) {
         checks.insert(checks.end(), std::make_move_iterator(part.begin()), std::make_move_iterator(part.end()));
     }
     return checks;

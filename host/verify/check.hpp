@@ -119,6 +119,7 @@ std::vector<Check> random_checks(std::uint64_t seed);
 std::vector<Check> checkpoint_checks();
 std::vector<Check> array_checks();
 std::vector<Check> finite_checks();
+std::vector<Check> reading_checks();
 
 // Runs one check: whatever is thrown becomes a failure.
 Outcome carry_out(const Check&, Place&);

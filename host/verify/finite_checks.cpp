@@ -19,6 +19,15 @@ namespace pelage::verify {
 
 namespace {
 
+const char* const mesh_to_search = R"(
+define chemical A
+define chemical B
+use chemical A conc 2 dev 1 diff 0.1
+use chemical B conc 2 dev 1
+create torus 13 8
+rule always change B conc 0.01
+)";
+
 constexpr double no_number = std::numeric_limits<double>::quiet_NaN();
 
 std::string place_in_words(const std::optional<NonFinite>& found) {
@@ -106,6 +115,12 @@ std::vector<Check> finite_checks() {
                  Search(outcome, wide, state, place.backend({})).in_last_cells();
                  return outcome;
              }},
+            {"volume/not-finite", "not finite", false,
+             [](Place& place) {
+                 return search(place, lattice_case("volume/diffusion/seven-point/wrap").experiment({7, 6, 5}));
+             }},
+            {"mesh/not-finite", "not finite", true,
+             [](Place& place) { return search(place, parse_experiment(mesh_to_search, "a mesh", ".")); }},
             {"cells/not-finite", "not finite", true, [](Place& place) {
                  const CellCase& one = cell_cases().front();
                  return search(place, parse_experiment(one.text(), one.name, "."));

@@ -54,10 +54,11 @@ constexpr std::array<std::string_view, 26> quick_cases{"rules/whole-numbers/fuse
 constexpr std::string_view strips = "sizes/strips";
 // Of these also with a second work-group size, and on the other paths.
 constexpr std::array<std::string_view, 2> quick_groups{"diffusion/nine-point/no-flux", "diffusion/published/open"};
-constexpr std::array<std::string_view, 2> quick_streamed{"rules/draws/fused", "growth/plain/no-flux"};
+constexpr std::array<std::string_view, 3> quick_streamed{"rules/draws/fused", "rules/timed/fused",
+                                                         "growth/plain/no-flux"};
 constexpr std::array<std::string_view, 4> quick_shared{"diffusion/nine-point/wrap", "rates/uneven/published/open",
                                                        "growth/plain/no-flux", strips};
-constexpr std::array<std::string_view, 2> quick_tiled{"diffusion/nine-point/no-flux",
+constexpr std::array<std::string_view, 3> quick_tiled{"diffusion/nine-point/no-flux", "rules/timed/fused",
                                                       "rates/polarized/five-point/absorbing"};
 
 template <class List>
@@ -303,11 +304,13 @@ std::vector<Check> lattice_checks() {
         return LatticeCheck(lattice_case(std::string(strips)), place).run({{.path = Path::streamed, .variants = 1}});
     };
     checks.push_back({"streamed/sizes/strips-of-whole-rows", "streamed steps", true, whole_rows});
-    // Strips so narrow that the larger volumes have several.
+    // Strips so narrow that the larger volumes have several; and as a run finds them out by itself.
     for (const Case& one : lattice_cases()) {
         if (!one.name.starts_with("volume/")) continue;
         const auto run = [&one](Place& place) {
-            return LatticeCheck(one, place, true).run({{.path = Path::streamed, .variants = 1, .rows = 7, .depth = 3}});
+            return LatticeCheck(one, place, true)
+                .run({{.path = Path::streamed, .variants = 1, .rows = 7, .depth = 3},
+                      {.path = Path::automatic, .variants = 1, .depth = 5}});
         };
         checks.push_back({"streamed/" + one.name, "volumes", false, run});
     }

@@ -1,0 +1,47 @@
+// Formulas that have one value in all cells, and another in every iteration: kernels compute them once for all.
+#include "language/parse.hpp"
+#include "verify/cases.hpp"
+
+#include <fmt/format.h>
+
+namespace pelage::verify {
+
+namespace {
+
+Experiment timed(const std::string& create, const std::string& name) {
+    return parse_experiment(
+        "define chemical A floor none\ndefine chemical B floor none\ndefine time_step 0.25\n"
+        "use seed 11\nuse chemical A conc 2 dev 1 diff 0.2\nuse chemical B conc 2 dev 1 diff 0.1\n" +
+            create +
+            "\nphase \"first\" 9\n"
+            "rule always react A by (0.1 * sin(0.7 * ITERATION) * B) B by (cos(TIME) * 0.05 - 0.01 * B)\n"
+            "rule if (sin(ITERATION) > 0.25 or ITERATION == 5) change A conc 0.125\n"
+            "phase \"second\" 100\ndefine time_step 0.125\nuse chemical A diff 0.3\n"
+            "rule if (ITERATION >= 12 and B > 2) set B conc (1 + exp(-TIME))\n",
+        name, ".");
+}
+
+std::string of_a_matrix(Size size) { return fmt::format("create matrix {} {} wrap", size.columns, size.rows); }
+
+std::string of_a_grid(Size size) { return fmt::format("create sqr_grid {} {}", size.columns, size.rows); }
+
+std::string of_a_volume(Size size) {
+    return fmt::format("create volume {} {} {} wrap", size.columns, size.rows, size.layers);
+}
+
+}  // namespace
+
+std::vector<Case> timed_cases() {
+    const std::vector<Size> flat{{3, 2}, {20, 9}, {67, 31}};
+    const std::vector<Size> deep{{4, 3, 5}, {18, 9, 11}};
+    const auto make = [](const char* name, std::string (*create)(Size), const std::vector<Size>& sizes) {
+        return Case{.name = name,
+                    .experiment = [=](Size size) { return timed(create(size), name); },
+                    .sizes = sizes,
+                    .iterations = 40};
+    };
+    return {make("rules/timed/fused", of_a_matrix, flat), make("rules/timed/published", of_a_grid, flat),
+            make("volume/timed/wrap", of_a_volume, deep)};
+}
+
+}  // namespace pelage::verify
