@@ -8,6 +8,7 @@
 #include "opencl/device/pocl.hpp"
 #include "opencl/device/pocl_header.hpp"
 #include "opencl/device/pocl_programs.hpp"
+#include "opencl/device/program_log.hpp"
 #include "opencl/device/schedule.hpp"
 
 #include <fmt/format.h>
@@ -165,6 +166,7 @@ CacheKey program_key(const Session& session, const std::string& plain, const std
 
 BuiltProgram build_program(const Session& session, const std::string& plain, const std::string& options) {
     const std::string source = scheduled(plain);
+    log_program(source, options);
     return with_device(session.info().name, [&]() -> BuiltProgram {
         if (!session.options().use_cache) return {from_source(session, source, options)};
         const CacheKey key = program_key(session, plain, options);

@@ -6,6 +6,7 @@
 #include "opencl/device/context.hpp"
 #include "opencl/device/pocl_programs.hpp"
 #include "opencl/device/program.hpp"
+#include "opencl/device/program_log.hpp"
 
 #include <fmt/format.h>
 
@@ -90,6 +91,7 @@ void Session::launch(const cl::Kernel& kernel, const cl::NDRange& global, const 
                                  : cl::NDRange(fewer, 1, 1));
         return;
     }
+    log_launch(kernel);
     if (guards_) guards_->check(kernel.getInfo<CL_KERNEL_FUNCTION_NAME>());
 }
 
