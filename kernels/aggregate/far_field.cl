@@ -1,5 +1,5 @@
-// What charges far away add to a sum: kept at the nodes of blocks, and interpolated. As reference/aggregate/far_field.cpp,
-// bit for bit: no operation here is a fused one.
+// What charges far away add to a sum: kept at the nodes of blocks, and interpolated. As
+// reference/aggregate/far_field.cpp, bit for bit: no operation here is a fused one.
 
 // A charge adds to the coefficients of a block, whose first site lies (x, y) from it.
 static inline void pelage_add_to(global long* coefficients, global const float* nodes, float x,
@@ -19,8 +19,8 @@ static inline long pelage_at_most(int x, int y, int side, float size) {
     return term + (term >> 10) + 1l;
 }
 
-// What there is of the blocks of a level from (x, y) to (z, w). Not a struct of one's own: Oclgrind 21.10 cannot inline a
-// function that returns one.
+// What there is of the blocks of a level from (x, y) to (z, w). Not a struct of one's own: Oclgrind 21.10 cannot inline
+// a function that returns one.
 static inline int4 pelage_part_of(const struct pelage_level level, int x, int y, int to_x, int to_y) {
     return (int4)(max(x, 0), max(y, 0), min(to_x, level.columns - 1), min(to_y, level.rows - 1));
 }
