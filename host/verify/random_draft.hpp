@@ -39,6 +39,7 @@ struct Draft {
     std::size_t columns = 0, rows = 0;  // of a lattice or a volume
     std::size_t layers = 1;             // of a volume
     double radius = 1.0;                // of a mesh: how far its vertices lie from the middle
+    bool far_field = false;             // of charges: one way for all rules
     std::size_t cells = 0;
     double stiffness = 9.0;  // see core/stability.hpp
     double time_step = 1.0;

@@ -93,6 +93,7 @@ void draw_charges(Draft& draft) {
         draft.chemicals.push_back(chemical);
     }
     if (dice.chance(60)) draw_seed(draft);
+    draft.far_field = dice.chance(40);
     const std::size_t most = std::max<std::size_t>(draft.limits.cells, 1);
     draft.columns = dice.from_to(1, std::min<std::size_t>(most, 40));
     draft.rows = dice.from_to(1, std::min<std::size_t>(most / draft.columns, 40));
@@ -114,9 +115,9 @@ std::string draw_particle(Draft& draft) {
     std::vector<std::string> options;
     if (dice.chance(80)) options.push_back("eta " + of_all(draft, 0.0, 12.0));
     if (dice.chance(40)) options.push_back("radius " + of_all(draft, 0.5, 4.0));
-    if (dice.chance(30)) {
+    if (draft.far_field) {
         options.emplace_back("far-field");
-    } else if (dice.chance(50)) {
+    } else if (dice.chance(40)) {
         const std::string x = of_all(draft, -20.0, 20.0);
         const std::string y = of_all(draft, -20.0, 20.0);
         options.push_back(words({"towards", x, y, "strength", of_all(draft, 0.0, 5.0)}));

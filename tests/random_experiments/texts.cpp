@@ -58,7 +58,7 @@ const char* const keywords_in_order =
     "anisotropic area as at bicubic bilinear by cell cells centre change channel charges chemical color colormap "
     "columns conc "
     "cotangent create define dev diff direction distribution divide division_limit domain each eta every exit expand "
-    "field first fit "
+    "far-field field first fit "
     "five-point fixed floor from gradient gray heat height hex_circle hex_grid icosphere if in inferno level limit "
     "linear "
     "magma map matrix maximum moore move nearest nine-point no-flux none normal offset output packed parameter phase "
@@ -177,7 +177,7 @@ TEST_CASE("Drawn texts are the same on every machine") {
     }
 
     // To be set anew when what is drawn changes, to what all compilers agree on.
-    CHECK(hash == 0x7a9d65bd9948946bu);
+    CHECK(hash == 0x63381ebea5a78e22u);
 }
 
 TEST_CASE("Limits bound what is drawn") {

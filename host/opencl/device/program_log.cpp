@@ -14,13 +14,10 @@ namespace pelage {
 
 namespace {
 
-const std::optional<std::filesystem::path>& log_folder() {
-    static const auto folder = []() -> std::optional<std::filesystem::path> {
-        const char* const name = std::getenv("PELAGE_PROGRAMS_LOG");
-        if (name == nullptr) return {};
-        return name;
-    }();
-    return folder;
+std::optional<std::filesystem::path> log_folder() {
+    const char* const name = std::getenv("PELAGE_PROGRAMS_LOG");
+    if (name == nullptr) return {};
+    return name;
 }
 
 void keep_once(const std::string& name, const std::string& text) {
