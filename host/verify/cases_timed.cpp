@@ -1,4 +1,5 @@
-// Formulas that have one value in all cells, and another in every iteration: kernels compute them once for all.
+// Formulas that have one value in all cells, and another in every iteration: kernels compute them once for all. And
+// what stays as it is while other things change: fields, counts of neighbours, a mapping beside one that is written.
 #include "language/parse.hpp"
 #include "verify/cases.hpp"
 
@@ -21,6 +22,24 @@ Experiment timed(const std::string& create, const std::string& name) {
         name, ".");
 }
 
+// A mapping is written until it is read alone, while another one is written. A rule that would come after the last
+// iteration that can be counted never acts.
+Experiment keeping(Size size) {
+    return parse_experiment(
+        fmt::format("define chemical A limit 6 floor none\ndefine chemical B floor none\ndefine time_step 0.25\n"
+                    "define field drawn (0.5 + RANDOM)\ndefine field ramp (0.25 * sin(0.7 * COLUMN))\nuse seed 5\n"
+                    "use chemical A conc 2 dev 1 diff 0.2\nuse chemical B conc 2 dev 1 diff 0.1\n"
+                    "create matrix {} {}\nphase \"first\" 5\n"
+                    "rule always map A conc 0 5 to M 0.25 1\nrule always map B conc 0 5 to N 1 0.5\n"
+                    "rule always react A by (0.1 * M * drawn - 0.02 * A) B by (0.05 * N * NEIGHBORS)\n"
+                    "phase \"second\" 100\nrule always map B conc 0 5 to N 2 1\n"
+                    "rule every 4294967295 offset 4294967292 always set A conc 0.5\n"
+                    "rule always react A by (0.1 * M * ramp - 0.02 * A) B by (0.05 * N * drawn - 0.01 * B)\n"
+                    "rule if NEIGHBORS < 8 change B conc 0.125\n",
+                    size.columns, size.rows),
+        "rules/keeping", ".");
+}
+
 std::string of_a_matrix(Size size) { return fmt::format("create matrix {} {} wrap", size.columns, size.rows); }
 
 std::string of_a_grid(Size size) { return fmt::format("create sqr_grid {} {}", size.columns, size.rows); }
@@ -41,7 +60,8 @@ std::vector<Case> timed_cases() {
                     .iterations = 40};
     };
     return {make("rules/timed/fused", of_a_matrix, flat), make("rules/timed/published", of_a_grid, flat),
-            make("volume/timed/wrap", of_a_volume, deep)};
+            make("volume/timed/wrap", of_a_volume, deep),
+            Case{.name = "rules/keeping/fused", .experiment = keeping, .sizes = flat, .iterations = 40}};
 }
 
 }  // namespace pelage::verify

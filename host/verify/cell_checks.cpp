@@ -145,8 +145,9 @@ Outcome cells_near_zero(Place& place) {
     });
 }
 
-// More cells than 16 bits count, the last of them born in the run, with draws for each.
+// More cells than 16 bits count, the last of them born in the run, with draws for each; and a limit of neighbours, too.
 constexpr const char* crowd_of_cells = R"(
+define division_limit 65539
 define chemical A limit 6
 define chemical B
 use seed 5

@@ -54,8 +54,8 @@ constexpr std::array<std::string_view, 26> quick_cases{"rules/whole-numbers/fuse
 constexpr std::string_view strips = "sizes/strips";
 // Of these also with a second work-group size, and on the other paths.
 constexpr std::array<std::string_view, 2> quick_groups{"diffusion/nine-point/no-flux", "diffusion/published/open"};
-constexpr std::array<std::string_view, 3> quick_streamed{"rules/draws/fused", "rules/timed/fused",
-                                                         "growth/plain/no-flux"};
+constexpr std::array<std::string_view, 4> quick_streamed{"rules/draws/fused", "rules/timed/fused",
+                                                         "rules/keeping/fused", "growth/plain/no-flux"};
 constexpr std::array<std::string_view, 4> quick_shared{"diffusion/nine-point/wrap", "rates/uneven/published/open",
                                                        "growth/plain/no-flux", strips};
 constexpr std::array<std::string_view, 3> quick_tiled{"diffusion/nine-point/no-flux", "rules/timed/fused",
