@@ -98,13 +98,15 @@ std::vector<float> sizes_at_start(const Experiment& experiment, const Snapshot& 
     std::vector<float> sizes;
     for (const std::uint32_t site : front.charges()) {
         const double told = state.conc[chemical][site];
-        if (told != 0.0 && !(told >= double{static_cast<float>(smallest_charge)} && told <= largest_charge)) {
+        const float size = static_cast<float>(told);  // whatever the precision, a size is a float
+        if (size != 0.0f &&
+            !(size >= static_cast<float>(smallest_charge) && size <= static_cast<float>(largest_charge))) {
             throw Error(fmt::format(
                 "{}: the charge in column {}, row {} starts with the size {:.9g}; it must be 0, which "
                 "stands for 1, or a number from {:g} to {:g}",
                 experiment.source, site % state.columns, site / state.columns, told, smallest_charge, largest_charge));
         }
-        sizes.push_back(told == 0.0 ? 1.0f : static_cast<float>(told));
+        sizes.push_back(size == 0.0f ? 1.0f : size);
     }
     return sizes;
 }

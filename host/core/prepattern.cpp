@@ -123,10 +123,12 @@ public:
             throw Error(fmt::format("{}: `set` names cells {} to {}; cells 0 to {} exist", experiment_.source, first,
                                     last, static_cast<std::int64_t>(state_.cells()) - 1));
         }
-        const std::vector<double> where = set.where ? values(*set.where, 0) : std::vector<double>();
+        // All that one line sets is set in the same cells.
+        if (set.where && set.where != where_of_) where_ = values(*set.where, 0);
+        where_of_ = set.where;
         computed_ = expression_of(set.what) ? values(*expression_of(set.what), 1) : std::vector<double>();
         for (std::size_t cell = first; cell <= last; ++cell) {
-            if (!where.empty() && where[cell] == 0.0) continue;
+            if (set.where && where_[cell] == 0.0) continue;
             std::visit([&](const auto& what) { apply(what, cell); }, set.what);
         }
     }
@@ -353,8 +355,10 @@ private:
     std::vector<Spread> diff_;
     std::optional<Spread> polarity_;
     Snapshot state_;
-    std::size_t place_ = 0;         // of the statement at hand
-    std::vector<double> computed_;  // values of a `set`
+    std::size_t place_ = 0;                // of the statement at hand
+    std::vector<double> computed_;         // values of a `set`
+    std::optional<std::size_t> where_of_;  // the expression of the last `set`, and where it is true
+    std::vector<double> where_;
     std::vector<std::vector<double>> fields_;
     std::vector<std::vector<double>> blobs_;  // of a mesh
 };

@@ -57,7 +57,7 @@ private:
         const std::array sides{volume->columns, volume->rows, volume->layers};
         const std::size_t side = sides[static_cast<std::size_t>(projection.axis)];
         if (projection.at.value_or(0) >= side)
-            fail(fmt::format("an output shows slice {} of {}; the first one is 0", *projection.at, side));
+            fail(fmt::format("an output shows slice {}; there are slices 0 to {}", *projection.at, side - 1));
     }
 
     void check_stencils() const {

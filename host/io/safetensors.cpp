@@ -9,6 +9,8 @@
 #include <nlohmann/json.hpp>
 
 #include <cstdint>
+#include <set>
+#include <utility>
 
 namespace pelage {
 
@@ -28,8 +30,17 @@ public:
             fail(fmt::format("its header has {} bytes; at most {} are allowed", length, largest_header));
         if (length > bytes.size() - length_size) fail("it is truncated: its header is not whole");
         const std::string_view text = bytes.substr(length_size, static_cast<std::size_t>(length));
-        header_ = Json::parse(text.begin(), text.end(), nullptr, false);
+        std::set<std::string> keys;
+        std::string repeated;
+        const auto look = [&](int depth, Json::parse_event_t event, const Json& parsed) {
+            if (depth != 1 || event != Json::parse_event_t::key) return true;
+            const auto key = parsed.get<std::string>();
+            if (!keys.insert(key).second) repeated = key;
+            return true;
+        };
+        header_ = Json::parse(text.begin(), text.end(), look, false);
         if (!header_.is_object()) fail("its header is no JSON object");
+        if (!repeated.empty()) fail(fmt::format("'{}' stands in its header twice", repeated));
         data_ = bytes.substr(length_size + text.size());
     }
 
@@ -38,10 +49,31 @@ public:
         for (const auto& [key, entry] : header_.items()) {
             if (key != "__metadata__") arrays.emplace(key, array(key, entry));
         }
+        check_places();
         return arrays;
     }
 
 private:
+    // The format wants arrays one after another, from the first byte to the last.
+    void check_places() const {
+        std::map<std::size_t, std::pair<std::size_t, std::string>> places;  // by begin: end and name
+        for (const auto& [key, entry] : header_.items()) {
+            if (key == "__metadata__") continue;
+            const std::vector<std::size_t> range = numbers(key, entry["data_offsets"]);
+            if (range[0] == range[1]) continue;
+            const auto [other, is_new] = places.emplace(range[0], std::pair(range[1], key));
+            if (!is_new) fail(fmt::format("'{}' and '{}' lie in the same place", other->second.second, key));
+        }
+        std::size_t end = 0;
+        for (const auto& [begin, one] : places) {
+            if (begin != end)
+                fail(fmt::format("'{}' begins at byte {} of the numbers, those before it end at {}", one.second, begin,
+                                 end));
+            end = one.first;
+        }
+        if (end != data_.size()) fail(fmt::format("of {} bytes of numbers its arrays take {}", data_.size(), end));
+    }
+
     NpyArray array(const std::string& key, const Json& entry) const {
         const bool whole = entry.is_object() && entry.contains("dtype") && entry["dtype"].is_string() &&
                            entry.contains("shape") && entry.contains("data_offsets");

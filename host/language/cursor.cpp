@@ -48,6 +48,7 @@ std::string_view number_fault(std::string_view text) {
 std::string kind_of(const Range& range) {
     const bool low = std::isfinite(range.low);
     const bool high = std::isfinite(range.high);
+    if (low && range.above && high) return fmt::format("a number above {}, at most {}", range.low, range.high);
     if (low && range.above) return fmt::format("a number above {}", range.low);
     if (low && high) return fmt::format("a number from {} to {}", range.low, range.high);
     if (low) return fmt::format("a number not below {}", range.low);

@@ -77,13 +77,15 @@ void Script::check_arrangement() const {
     if (needs_matrix_ && !matrix_) refuse(*needs_matrix_, "needs a matrix; write 'create matrix COLUMNS ROWS'");
     if (refuses_matrix_ && matrix_)
         refuse(*refuses_matrix_, "needs free cells; the elements of a matrix stay in place");
-    for (const auto& demand : {needs_lattice_, needs_places_}) {
-        if (!demand || keeps_places(space_of(experiment))) continue;
-        refuse(
-            *demand,
-            "needs a lattice (a matrix, or a single sqr_grid without 'divide' and 'move') or a volume; free cells have "
-            "X and Y");
-    }
+    const auto refuse_free_cells = [&](const std::optional<Demand>& demand, const char* others) {
+        if (!demand || keeps_places(space_of(experiment))) return;
+        refuse(*demand,
+               fmt::format("needs a lattice (a matrix, or a single sqr_grid without 'divide' and 'move'){}; free cells "
+                           "have X and Y",
+                           others));
+    };
+    refuse_free_cells(needs_lattice_, " or a volume");
+    refuse_free_cells(needs_places_, ", a volume or a mesh");
 }
 
 void Script::check_pictures() const {

@@ -227,6 +227,17 @@ TEST_CASE("safetensors files that are no networks") {
     CHECK_THAT(problem(R"({"W0":{"dtype":"F32","shape":[9,-1],"data_offsets":[0,0]}})"), Contains("whole numbers"));
     CHECK_THAT(problem(R"({"W0":{"dtype":"F32","shape":[2,4000000000,4000000000],"data_offsets":[0,0]}})"),
                Contains("do not fill its shape"));
+    const auto two = [](const char* one, const char* other, const char* where) {
+        const char* const form = R"({{"{}":{{"dtype":"F32","shape":[1],"data_offsets":[0,4]}},)"
+                                 R"("{}":{{"dtype":"F32","shape":[1],"data_offsets":{}}}}})";
+        return network_problem(in_order(fmt::format(fmt::runtime(form), one, other, where)) + "12345678");
+    };
+    CHECK_THAT(two("W0", "W1", "[4,8]"), Contains("has no array"));  // the file itself is right
+    CHECK_THAT(two("W0", "W0", "[4,8]"), Contains("'W0' stands in its header twice"));
+    CHECK_THAT(two("W0", "W1", "[0,4]"), Contains("'W0' and 'W1' lie in the same place"));
+    CHECK_THAT(two("W0", "W1", "[2,6]"), Contains("'W1' begins at byte 2 of the numbers, those before it end at 4"));
+    CHECK_THAT(network_problem(in_order(R"({"W0":{"dtype":"F32","shape":[1],"data_offsets":[0,4]}})") + "123456"),
+               Contains("of 6 bytes of numbers its arrays take 4"));
     CHECK_THAT(network_problem(std::string("\xff\xff\xff\xff\xff\xff\xff\xff{", 9)), Contains("at most 1048576"));
     CHECK_THAT(network_problem(std::string("\x10\x00\x00\x00\x00\x00\x00\x00{", 9)), Contains("header is not whole"));
 }

@@ -163,6 +163,18 @@ TEST_CASE("cells are set where an expression holds") {
     CHECK(inside == 21);
 }
 
+TEST_CASE("what one line sets is set in the same cells") {
+    const std::string world = "define chemical U\ndefine chemical V\nuse seed 3\ncreate matrix 30 30\n";
+    const Snapshot drawn =
+        initial_state(parsed(world + "set cells where (RANDOM < 0.25) chemical U conc 1 chemical V conc 1\n"
+                                     "set cells where (RANDOM < 0.25) chemical V diff 1\n"));
+    CHECK(drawn.conc[0] == drawn.conc[1]);
+    CHECK(drawn.conc[0] != drawn.diff[1]);  // another line draws anew
+    const Snapshot changed =
+        initial_state(parsed(world + "set cells where (U == 0) chemical U conc 2 chemical V conc 3\n"));
+    CHECK(changed.conc[1] == std::vector<double>(900, 3.0));
+}
+
 TEST_CASE("previous(U) is what U was an iteration ago, and U itself at the start") {
     const Experiment e = parsed(
         "define chemical U\nuse chemical U conc 5\ncreate matrix 3 3\nset cell 4 chemical U conc 7\n"
@@ -198,8 +210,8 @@ TEST_CASE("an expression is refused where its values cannot be known or its valu
         {grid, "rule always react U by (V) U by 2", "t.pex:4:28: 'U' is given twice; its rate must be one expression"},
         {grid, "rule always react U by", "(the operand)"},
         {"define chemical U\n", "create hex_circle 2\nrule always change U conc (laplacian(U))",
-         "t.pex:3:28: 'laplacian' needs a lattice (a matrix, or a single sqr_grid without 'divide' and 'move') or a "
-         "volume; free cells have X and Y"},
+         "t.pex:3:28: 'laplacian' needs a lattice (a matrix, or a single sqr_grid without 'divide' and 'move'), a volume "
+         "or a mesh; free cells have X and Y"},
     };
     for (const ErrorCase& one : cases) {
         if (one.message == "(the operand)") {

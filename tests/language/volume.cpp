@@ -101,7 +101,7 @@ TEST_CASE("a volume that means nothing is refused") {
     CHECK_THAT(volume_error("create volume 3 3 3\n"), Contains("t.pex:4") && Contains("no other 'create'"));
     CHECK_THAT(volume_error("create cell 0 0\n"), Contains("t.pex:4") && Contains("no other 'create'"));
     CHECK_THAT(test::message_of(test::matrix + "create volume 3 3 3\n"), Contains("no other 'create'"));
-    CHECK_THAT(volume_error("output U slice x 7\n"), Contains("slice 7 of 7"));
+    CHECK_THAT(volume_error("output U slice x 7\n"), Contains("slice 7; there are slices 0 to 6"));
     CHECK_THAT(volume_error("output U slice w 1\n"), Contains("x, y"));
     CHECK_THAT(volume_error("output U maximum slice z 1\n"), Contains("in one way"));
     CHECK_THAT(volume_error("output U transparent height\n"), Contains("one value through a colormap"));
