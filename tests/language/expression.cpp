@@ -210,7 +210,8 @@ TEST_CASE("an expression is refused where its values cannot be known or its valu
         {grid, "rule always react U by (V) U by 2", "t.pex:4:28: 'U' is given twice; its rate must be one expression"},
         {grid, "rule always react U by", "(the operand)"},
         {"define chemical U\n", "create hex_circle 2\nrule always change U conc (laplacian(U))",
-         "t.pex:3:28: 'laplacian' needs a lattice (a matrix, or a single sqr_grid without 'divide' and 'move'), a volume "
+         "t.pex:3:28: 'laplacian' needs a lattice (a matrix, or a single sqr_grid without 'divide' and 'move'), a "
+         "volume "
          "or a mesh; free cells have X and Y"},
     };
     for (const ErrorCase& one : cases) {
