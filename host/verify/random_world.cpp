@@ -20,7 +20,7 @@ void draw_kind(Draft& draft) {
     const std::initializer_list<unsigned> weights{weight(limits.matrix, 40),     weight(limits.sqr_grid, 15),
                                                   weight(limits.free_cells, 20), weight(limits.volume, 12),
                                                   weight(limits.mesh, 8),        weight(limits.charges, 5)};
-    if (std::ranges::max(weights) == 0) throw Error("a random experiment needs a kind of tissue that is allowed");
+    if (std::max(weights) == 0) throw Error("a random experiment needs a kind of tissue that is allowed");
     draft.kind = static_cast<TissueKind>(draft.dice.weighted(weights));
     draft.stiffness = draft.kind == TissueKind::sqr_grid ? stiffness(Stencil::moore) : 9.0;
 }
