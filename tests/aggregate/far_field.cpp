@@ -60,7 +60,7 @@ TEST_CASE("aggregates with a far field take the same sites on both backends, in 
         const auto reference = reference_backend(Precision::single_)->make_tissue(experiment);
         std::vector<std::unique_ptr<Tissue>> found;
         found.push_back(opencl_backend()->make_tissue(experiment));
-        for (const std::uint64_t some : {1, 2, 60, 137}) {
+        for (const std::uint64_t some : {1u, 2u, 60u, 137u}) {
             reference->advance(some);
             const Snapshot state = reference->read();
             for (const auto& tissue : found) {

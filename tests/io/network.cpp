@@ -100,7 +100,7 @@ TEST_CASE("a pickle that asks for more than arrays of floats is refused, with wh
           "'m' is pickled and is not read: it asks for 'posix.system'; a model may hold arrays of floats and nothing "
           "else");
     const std::string good = test::get(network_folder / "protocol2.npy");
-    const std::size_t begin = npy_content(good, "m").data() - good.data();
+    const std::size_t begin = static_cast<std::size_t>(npy_content(good, "m").data() - good.data());
     const auto with = [&](const std::string& pickle) { return network_problem(good.substr(0, begin) + pickle); };
     CHECK_THAT(with("\x80\x02"
                     "cbuiltins\neval\n."),
@@ -121,7 +121,7 @@ TEST_CASE("a pickle that asks for more than arrays of floats is refused, with wh
 TEST_CASE(
     "a pickle of protocol 5 that is damaged, or whose numbers lie outside of it, is refused with what was found") {
     const std::string good = test::get(network_folder / "protocol5.npy");
-    const std::size_t begin = npy_content(good, "m").data() - good.data();
+    const std::size_t begin = static_cast<std::size_t>(npy_content(good, "m").data() - good.data());
     const auto with = [&](const std::string& pickle) { return network_problem(good.substr(0, begin) + pickle); };
     for (const char* buffer : {"\x97", "\x98"})
         CHECK_THAT(with("\x80\x05" + std::string(buffer) + "."), Contains("its numbers lie outside of it, in buffers"));

@@ -101,7 +101,7 @@ TEST_CASE(
                 mesh->surface = make_surface(cone(41, 30), MeshWeights::uniform);
         }
         experiment.stop_at = 12;
-        for (const std::size_t width : {0, 1, 2, 4, 8, 16}) {
+        for (const std::size_t width : {0u, 1u, 2u, 4u, 8u, 16u}) {
             INFO(chemicals << ", width " << width);
             OpenclOptions options;
             options.width = width;

@@ -74,7 +74,7 @@ TEST_CASE("batch: each lattice ends in the bits of the reference, on every path,
 
     const auto batch = device->make_batch(starts);
     std::vector<std::size_t> running{0, 1, 2, 3, 4, 5};
-    for (const std::uint64_t part : {1, 6, 5, 4}) {
+    for (const std::uint64_t part : {1u, 6u, 5u, 4u}) {
         batch->advance(part);
         for (const std::size_t nth : running) {
             INFO("lattice " << nth);
@@ -152,7 +152,7 @@ TEST_CASE("batch: fields, mappings, births and counts are each lattice's own") {
     std::vector<std::unique_ptr<Tissue>> alone;
     for (const BatchStart& start : starts)
         alone.push_back(reference_backend(Precision::single_)->make_tissue(*start.experiment, start.state));
-    for (const std::uint64_t part : {1, 1, 9}) {
+    for (const std::uint64_t part : {1u, 1u, 9u}) {
         batch->advance(part);
         for (std::size_t nth = 0; nth < starts.size(); ++nth) {
             INFO("lattice " << nth);
