@@ -99,14 +99,14 @@ std::vector<float> sizes_at_start(const Experiment& experiment, const Snapshot& 
     for (const std::uint32_t site : front.charges()) {
         const double told = state.conc[chemical][site];
         const float size = static_cast<float>(told);  // whatever the precision, a size is a float
-        if (size != 0.0f &&
+        if (told != 0.0 &&
             !(size >= static_cast<float>(smallest_charge) && size <= static_cast<float>(largest_charge))) {
             throw Error(fmt::format(
                 "{}: the charge in column {}, row {} starts with the size {:.9g}; it must be 0, which "
                 "stands for 1, or a number from {:g} to {:g}",
                 experiment.source, site % state.columns, site / state.columns, told, smallest_charge, largest_charge));
         }
-        sizes.push_back(size == 0.0f ? 1.0f : size);
+        sizes.push_back(told == 0.0 ? 1.0f : size);
     }
     return sizes;
 }
