@@ -1,4 +1,5 @@
 // Aggregates: the same sites and potentials on both backends, in one go and in pieces, and from a state that was kept.
+#include "aggregate/direct_sum.hpp"
 #include "core/aggregate.hpp"
 #include "core/error.hpp"
 #include "core/prepattern.hpp"
@@ -38,12 +39,8 @@ double largest_error(const Snapshot& state) {
     double largest = 0.0;
     for (const std::uint32_t site : front.places()) {
         if (site == no_site) continue;
-        double potential = 0.0;
-        for (const std::uint32_t charge : front.charges()) {
-            const double x = static_cast<double>(site % state.columns) - static_cast<double>(charge % state.columns);
-            const double y = static_cast<double>(site / state.columns) - static_cast<double>(charge / state.columns);
-            potential += 1.0 - 1.0 / std::hypot(x, y);
-        }
+        const double potential = test::sum_over_charges(
+            state, front, site, [&](std::uint32_t, double distance) { return 1.0 - 1.0 / distance; });
         largest = std::max(largest, std::abs(potential - state.conc[1][site]));
     }
     return largest;

@@ -1,5 +1,6 @@
 // Aggregates with a far field: the bound of the potentials over whole runs, the same sites on both backends, and from a
 // state that was kept.
+#include "aggregate/direct_sum.hpp"
 #include "core/aggregate.hpp"
 #include "core/far_grid.hpp"
 #include "core/prepattern.hpp"
@@ -39,12 +40,9 @@ double largest_part_off(const Snapshot& state, bool sized) {
     double largest = 0.0;
     for (const std::uint32_t site : front.places()) {
         if (site == no_site) continue;
-        double sum = 0.0;
-        for (const std::uint32_t charge : front.charges()) {
-            const double x = static_cast<double>(site % state.columns) - static_cast<double>(charge % state.columns);
-            const double y = static_cast<double>(site / state.columns) - static_cast<double>(charge / state.columns);
-            sum += (sized ? state.conc[3][charge] : 1.0) / std::hypot(x, y);
-        }
+        const double sum = test::sum_over_charges(state, front, site, [&](std::uint32_t charge, double distance) {
+            return (sized ? state.conc[3][charge] : 1.0) / distance;
+        });
         const double told = static_cast<double>(front.charges().size()) - state.conc[1][site];
         largest = std::max(largest, std::abs(told / sum - 1.0));
     }

@@ -1,4 +1,5 @@
 // Charges of different sizes.
+#include "aggregate/direct_sum.hpp"
 #include "core/aggregate.hpp"
 #include "core/prepattern.hpp"
 #include "language/parse.hpp"
@@ -46,12 +47,9 @@ double error_a_size(const Snapshot& state) {
     for (const double size : state.conc[2]) sizes += size;
     for (const std::uint32_t site : front.places()) {
         if (site == no_site) continue;
-        double potential = 0.0;
-        for (const std::uint32_t charge : front.charges()) {
-            const double x = static_cast<double>(site % state.columns) - static_cast<double>(charge % state.columns);
-            const double y = static_cast<double>(site / state.columns) - static_cast<double>(charge / state.columns);
-            potential += 1.0 - state.conc[2][charge] / std::hypot(x, y);
-        }
+        const double potential = test::sum_over_charges(state, front, site, [&](std::uint32_t charge, double distance) {
+            return 1.0 - state.conc[2][charge] / distance;
+        });
         largest = std::max(largest, std::abs(potential - state.conc[1][site]));
     }
     return largest / sizes;
