@@ -86,10 +86,7 @@ bool DeviceAggregate::build() {
     choose_ = cl::Kernel(program, "pelage_aggregate_choose");
     together_ = cl::Kernel(program, "pelage_aggregate_together");
     add_up_ = cl::Kernel(program, "pelage_aggregate_add_up");
-    const auto fits = [&](const cl::Kernel& kernel) {
-        return kernel.getWorkGroupInfo<CL_KERNEL_WORK_GROUP_SIZE>(session_->device()) >= items_;
-    };
-    return items_ == 1 || std::ranges::all_of(std::array{gather_, weigh_, choose_, together_, add_up_}, fits);
+    return groups_fit(*session_, std::array{gather_, weigh_, choose_, together_, add_up_}, items_);
 }
 
 // Room for what one batch may add.

@@ -69,10 +69,7 @@ bool DeviceFarAggregate::build() {
     replay_ = cl::Kernel(program, "pelage_far_replay");
     look_ = cl::Kernel(program, "pelage_far_look");
     renew_ = cl::Kernel(program, "pelage_far_renew");
-    const auto fits = [&](const cl::Kernel& kernel) {
-        return kernel.getWorkGroupInfo<CL_KERNEL_WORK_GROUP_SIZE>(session_->device()) >= items_;
-    };
-    return items_ == 1 || std::ranges::all_of(std::array{grow_, replay_, look_, renew_}, fits);
+    return groups_fit(*session_, std::array{grow_, replay_, look_, renew_}, items_);
 }
 
 // What every kernel begins with; returns the place of the next argument.

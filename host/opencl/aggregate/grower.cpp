@@ -22,6 +22,13 @@ std::size_t growing_items(const Session& session, std::size_t most) {
     return items;
 }
 
+bool groups_fit(const Session& session, std::span<const cl::Kernel> kernels, std::size_t items) {
+    const auto fits = [&](const cl::Kernel& kernel) {
+        return kernel.getWorkGroupInfo<CL_KERNEL_WORK_GROUP_SIZE>(session.device()) >= items;
+    };
+    return items == 1 || std::ranges::all_of(kernels, fits);
+}
+
 void fill(const Session& session, const cl::Buffer& to, const void* from, std::size_t bytes) {
     if (bytes > 0) session.queue().enqueueWriteBuffer(to, CL_TRUE, 0, bytes, from);
 }

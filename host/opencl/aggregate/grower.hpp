@@ -43,6 +43,9 @@ std::uint32_t unpacked_site(cl_uint site, std::size_t columns);
 // compiler turns into vectors.
 std::size_t growing_items(const Session&, std::size_t most);
 
+// Whether each of the kernels can be carried out by groups of so many work-items.
+bool groups_fit(const Session&, std::span<const cl::Kernel>, std::size_t items);
+
 void fill(const Session&, const cl::Buffer& to, const void* from, std::size_t bytes);
 // Keeps what the buffer holds.
 void enlarge(const Session&, cl::Buffer&, std::size_t bytes, const char* what);
