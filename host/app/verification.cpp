@@ -83,7 +83,7 @@ private:
     std::size_t jobs() const {
         if (options_.jobs != 0) return options_.jobs;
         return std::min<std::size_t>(
-            4, 2 * std::max(1u, std::thread::hardware_concurrency()));  // they wait for files, too
+            8, 4 * std::max(1u, std::thread::hardware_concurrency()));  // they wait for files and each other, too
     }
 
     void next(Seat& seat) {

@@ -48,12 +48,16 @@ struct GeneratedWorld {
     std::size_t number = 0;
     ArrayRow world;
     std::vector<ArrayRow> rules;  // whole rows: the world's values, then the rule's
+    std::size_t expressions = 0;  // how many rules of the worlds before have one
 };
 
 // Worlds in which all pairs of values meet (strength 2), of the world, of rules, and between the two; or (3) all
 // triples of settings of the world, and of parts of a rule that have few values together. In volumes and on meshes
 // pairs with many values are left out: rules are made by one emitter for all.
 const std::vector<GeneratedWorld>& generated_worlds(Realm, std::size_t strength);
+
+// Whether the rule takes or reads an expression.
+bool has_expression(Realm, const ArrayRow& rule);
 
 // How many there are, and their values, known without dealing out the rules.
 std::size_t world_count(Realm, std::size_t strength);

@@ -65,9 +65,14 @@ std::string QuantityWriter::choice() const {
     return fmt::format("if({}, 0.5 * {}, -(G - 3) / 4) * if(G {} 2, 1, 0.5)", first, field, signs[(turn + 2) % 6]);
 }
 
-// Between 0.25 and 2: a function of what changes, and of what belongs to the place, and a choice.
+// Between 0.25 and 2: a function of what changes, and of what belongs to the place, and a choice. The rules with
+// expressions take the functions in turn.
 std::string QuantityWriter::expression() const {
-    const FunctionFacts& function = function_table()[(26 * nth_ + 5 * case_.made->number) % function_table().size()];
+    const auto before = case_.made->rules.begin();
+    const auto of_world = std::count_if(before, before + static_cast<std::ptrdiff_t>(nth_),
+                                        [&](const ArrayRow& rule) { return has_expression(case_.realm, rule); });
+    const std::size_t turn = case_.made->expressions + static_cast<std::size_t>(of_world);
+    const FunctionFacts& function = function_table()[turn % function_table().size()];
     const char* const arguments[] = {"Q", "(2 - ramp)", "(G + 1)"};
     std::string call = function.name + "(";
     for (std::size_t i = 0; i < function.parameters.size(); ++i)

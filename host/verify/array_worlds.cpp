@@ -35,12 +35,18 @@ std::vector<GeneratedWorld> deal_rules(Realm realm, std::size_t strength) {
     if (!has_rules(realm)) return made;
     const Covering rules = cover(rule_array(realm, strength));
     for (std::size_t i = 0; i < rules.rows.size(); ++i) made[rules.of_given[i]].rules.push_back(rules.rows[i]);
+    std::size_t expressions = 0;
+    for (GeneratedWorld& world : made) {
+        world.expressions = expressions;
+        expressions += static_cast<std::size_t>(
+            std::ranges::count_if(world.rules, [&](const ArrayRow& rule) { return has_expression(realm, rule); }));
+    }
     return made;
 }
 
-// Among the first 800 these draws deal pairs into the worlds whose programs are compiled soonest, or the fewest.
+// Among thousands these draws deal pairs into the worlds whose programs are compiled soonest, or the fewest.
 std::uint64_t draw_of(Realm realm) {
-    static constexpr std::array<std::uint64_t, every_realm.size()> draws{240, 338, 703, 219, 472};
+    static constexpr std::array<std::uint64_t, every_realm.size()> draws{11'371, 338, 703, 219, 472};
     return draws[static_cast<std::size_t>(realm)];
 }
 
@@ -82,6 +88,11 @@ Array rule_array(Realm realm, std::size_t strength) {
                 wanted_sets(realm, strength)};
     for (const ArrayRow& world : array.given) array.costs.push_back(cost({realm, world}));
     return array;
+}
+
+bool has_expression(Realm realm, const ArrayRow& rule) {
+    const Values values(realm, rule);
+    return values.has("amount", "expression") || values.has("read", "expression");
 }
 
 std::size_t world_count(Realm realm, std::size_t strength) { return worlds(realm, strength).rows.size(); }
