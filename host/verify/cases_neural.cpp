@@ -54,8 +54,13 @@ std::shared_ptr<const Network> drawn_network(std::size_t chemicals, std::size_t 
         return values;
     };
     const auto first = drawn(chemicals * hidden, 0.75);
-    const auto bias = drawn(hidden, 1.0);
-    const auto second = drawn(hidden * chemicals, 0.125);
+    auto bias = drawn(hidden, 1.0);
+    auto second = drawn(hidden * chemicals, 0.125);
+    // Two hidden values lie where e^-x would be too large or too small a number, and add little.
+    for (const std::size_t far : {std::size_t{1}, std::size_t{2}}) {
+        bias[far] = far == 1 ? 30.0 : -30.0;
+        for (std::size_t i = 0; i < chemicals; ++i) second[far * chemicals + i] /= 32;
+    }
     return std::make_shared<const Network>(make_network(chemicals, hidden, first, bias, second, "drawn"));
 }
 

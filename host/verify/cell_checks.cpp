@@ -57,10 +57,8 @@ std::vector<Setting> settings_of(const Place& place) {
     std::vector<Setting> settings{{}, {.path = Path::shared}, {}};  // the first twice
     const std::size_t group = std::min<std::size_t>(5, place.device().max_work_group);
     if (!place.full()) return settings;
-    settings.push_back({.work_group = group});
-    settings.push_back({.path = Path::shared, .work_group = group});
-    settings.push_back({.width = 1});
-    settings.push_back({.path = Path::shared, .width = 1});
+    settings.push_back({.work_group = group, .width = 1});
+    settings.push_back({.path = Path::shared, .work_group = group, .width = 1});
     if (!place.device().fp64) return settings;
     settings.push_back({.precision = Precision::double_});
     settings.push_back({.precision = Precision::double_, .path = Path::shared});
