@@ -90,6 +90,7 @@ void AtomicFile::check_open() const {
 
 void AtomicFile::write(const void* bytes, std::size_t count) {
     check_open();
+    if (count == 0) return;  // of an empty vector, whose data may be a null pointer
     check(std::fwrite(bytes, 1, count, file_) == count);
     position_ += count;
 }

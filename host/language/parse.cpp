@@ -65,7 +65,12 @@ Experiment parse_experiment(const std::string& text, const std::string& source_n
     script.experiment.included = std::move(joined.included);
     std::size_t number = 0;
     for (const std::string_view line : lines_of(joined.text)) parse_line(script, ++number, line, outline);
-    return script.finish();
+    Experiment experiment = script.finish();
+    // Starts that came with the end belong to the lines that asked for them.
+    for (std::size_t i = outline == nullptr ? experiment.prepattern.size() : outline->prepattern.size();
+         i < experiment.prepattern.size(); ++i)
+        outline->prepattern.push_back(script.line_of_start(i));
+    return experiment;
 }
 
 Experiment parse_experiment_file(const std::filesystem::path& path, Outline* outline, StartPictures pictures,

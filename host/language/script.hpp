@@ -88,6 +88,7 @@ public:
 
     // ---- how the tissue starts
     void start(Statement, const StartPlace&);  // takes it into the prepattern
+    std::size_t line_of_start(std::size_t nth) const { return starts_[nth].conc.line; }
 
     // ---- phases
     bool in_phase() const { return !experiment.phases.empty(); }

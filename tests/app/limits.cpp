@@ -1,5 +1,6 @@
 // Limits on what the command may take of the machine, and signals that its user has chosen to ignore.
 #include "support/process.hpp"
+#include "support/sanitizers.hpp"
 #include "texts.hpp"
 
 #include "app/commands.hpp"
@@ -50,6 +51,7 @@ int exit_code_of(Work work) {
 }  // namespace
 
 TEST_CASE("a limit on the memory of a process ends in results or a sentence, never in a driver that waits for ever") {
+    if (test::addresses_are_reserved()) return;
     const Folder folder;
     const std::string file = folder.write("spots.pex", test::spots);
     const std::string limit = GENERATE(as<std::string>(), "-v 100000", "-v 200000", "-v 300000", "-v 390000",
@@ -74,6 +76,7 @@ TEST_CASE("a limit on the memory of a process ends in results or a sentence, nev
 }
 
 TEST_CASE("a run that does not fit beside the driver's compiler is refused with the numbers") {
+    if (test::addresses_are_reserved()) return;
     const Folder folder;
     const std::string file = folder.write("large.pex", "define chemical U\ncreate matrix 2000 2000 wrap\nstop at 2\n");
 
@@ -88,6 +91,7 @@ TEST_CASE("a run that does not fit beside the driver's compiler is refused with 
 
 TEST_CASE(
     "where memory runs out under a driver the process ends at once, and a crash of a limited one with a sentence") {
+    if (test::addresses_are_reserved()) return;
     const auto wanting = [](bool drivers) {
         return exit_code_of([drivers] {
             pelage::app::tidy_when_killed();
@@ -117,6 +121,7 @@ TEST_CASE(
 }
 
 TEST_CASE("what a limit on the process leaves is known") {
+    if (test::addresses_are_reserved()) return;
     CHECK(exit_code_of([] {
               const rlimit limit{std::size_t{4} << 30, std::size_t{4} << 30};
               setrlimit(RLIMIT_AS, &limit);

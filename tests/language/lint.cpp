@@ -74,6 +74,18 @@ TEST_CASE("an experiment that means what it says gives no warning") {
     CHECK(after_sound("colormap slot 1 use rgb 0 0 0\noutput U colormap striped\n").empty());
 }
 
+TEST_CASE("everything that a file defines has a line, also what comes with its end") {
+    // What `previous(V)` was an iteration ago is a chemical of its own, with a start and a rule.
+    const std::string text = sound + "rule if (V - previous(V) > 0.1) change V conc 0.01\n";
+    pelage::Outline outline;
+    const pelage::Experiment experiment = pelage::parse_experiment(text, "t.pex", ".", &outline);
+
+    REQUIRE(experiment.prepattern.size() == 4);
+    CHECK(outline.prepattern == std::vector<std::size_t>{4, 5, 6, 9});
+    CHECK(outline.chemicals == std::vector<std::size_t>{1, 2, 9});
+    CHECK(outline.mappings.size() == experiment.mappings.size());
+}
+
 TEST_CASE("rules whose time never comes") {
     CHECK(after_sound("rule from 50 until 20 always change U conc 1\n") == "9:1 idle-rule");
     CHECK(after_sound("  rule from 100 always change U conc 1\n") == "9:3 idle-rule");

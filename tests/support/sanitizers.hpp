@@ -1,0 +1,19 @@
+// What a test cannot do under a sanitizer.
+#pragma once
+
+#include <iostream>
+
+namespace test {
+
+// True, after printing "SKIPPED: ...", where a sanitizer reserves terabytes of addresses: a process under it starts with
+// no limit on them.
+inline bool addresses_are_reserved() {
+#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
+    std::cout << "SKIPPED: a sanitizer reserves more addresses than any limit leaves\n";
+    return true;
+#else
+    return false;
+#endif
+}
+
+}  // namespace test
