@@ -69,6 +69,9 @@ Outcome special_points(Place& place) {
     check_points(outcome, place, square_at_radius(12), "exactly at the radius", both);
     check_points(outcome, place, square_at_radius(12), "just within the radius", both, 3.0001f);
     check_points(outcome, place, line(place.small() ? 70 : 300), "on a line", both);
+    // Far more widths of a bin along one axis than there are bins, and one along the other.
+    check_points(outcome, place, pairs_apart(60, 1e5, 0), "in pairs along a row", both);
+    check_points(outcome, place, pairs_apart(60, 0, 1e5), "in pairs along a column", both);
     check_points(outcome, place, moved(jittered(place.small() ? 60 : 500, 3), 1e5, -2e5), "far away", both);
     Points together;
     for (int i = 0; i < 40; ++i) together.add(1.5, -2.5);

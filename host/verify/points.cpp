@@ -77,6 +77,15 @@ Points line(std::size_t count) {
     return points;
 }
 
+Points pairs_apart(std::size_t count, double dx, double dy) {
+    Points points;
+    for (std::size_t i = 0; i < count; ++i) {
+        const auto pair = static_cast<double>(i / 2), second = static_cast<double>(i % 2);
+        points.add(dx * pair + second, dy * pair + second);
+    }
+    return points;
+}
+
 Points square_at_radius(std::size_t side) {
     Points points;
     for (std::size_t i = 0; i < side * side; ++i) {

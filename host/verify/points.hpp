@@ -24,6 +24,8 @@ Points jittered(std::size_t count, std::uint32_t seed);
 Points uniform(std::size_t count, std::uint32_t seed);
 Points clustered(std::size_t count, std::uint32_t seed);
 Points line(std::size_t count);
+// Two beside each other, the next two that far from them.
+Points pairs_apart(std::size_t count, double dx, double dy);
 Points square_at_radius(std::size_t side);                         // neighbours exactly 3 apart along rows and columns
 Points crowd(std::size_t count, double side, std::uint32_t seed);  // uniform in a square of that side
 

@@ -5,8 +5,8 @@
 
 namespace test {
 
-// True, after printing "SKIPPED: ...", where a sanitizer reserves terabytes of addresses: a process under it starts with
-// no limit on them.
+// True, after printing "SKIPPED: ...", where a sanitizer reserves terabytes of addresses: a process under it starts
+// with no limit on them.
 inline bool addresses_are_reserved() {
 #if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
     std::cout << "SKIPPED: a sanitizer reserves more addresses than any limit leaves\n";
