@@ -24,6 +24,7 @@ constexpr std::array exclusions{
     // There is no such thing.
     Exclusion{"stencil", "|published|", "boundary", "|absorbing|"},
     Exclusion{"stencil", "|published|", "growth", "!|none|"},
+    Exclusion{"stencil", "|5x5|", "rates", "|directed|"},
     Exclusion{"path", "|shared|", "group", "|several|"},
     Exclusion{"path", "!|streamed|tiled|", "cut", "|small|"},
     Exclusion{"path", "|streamed|", "items", "|several|"},
@@ -63,6 +64,7 @@ constexpr std::array left_to_triples{
     Exclusion{"action", reactions, "amount", "!|nothing|number|conc|mapping|ITERATION|RANDOM|"},
     Exclusion{"action", reactions, "read", "!|nothing|number|conc|AGE|RANDOM|"},
     Exclusion{"stencil", "|moore|sims|", "rates", "|uneven|directed|"},
+    Exclusion{"path", "|streamed|tiled|", "stencil", "|5x5|"},
     Exclusion{"path", "|streamed|tiled|", "chemicals", "|twenty|"},
     Exclusion{"path", "|streamed|tiled|", "precision", "|double|"},
     // A model is one function for all paths: here a formula and what rules do to chemicals stand for it.

@@ -24,7 +24,7 @@ std::vector<Factor> joined(std::vector<Factor> first, const std::vector<Factor>&
 }
 
 std::vector<Factor> lattice_worlds() {
-    return {{"stencil", {"nine-point", "moore", "five-point", "sims", "3x3", "published"}},
+    return {{"stencil", {"nine-point", "moore", "five-point", "sims", "3x3", "5x5", "published"}},
             {"boundary", {"no-flux", "wrap", "absorbing"}},
             {"path", {"step", "shared", "streamed", "tiled"}},
             {"width", {"1", "own", "other"}},

@@ -49,7 +49,8 @@ private:
     bool plane() const { return lattice() || case_.realm == Realm::cells; }
     bool rates(const char* kind) const { return world_["rates"] == kind; }
     bool uneven() const { return !rates("uniform"); }
-    bool directed() const { return plane() && (rates("directed") || rates("changing")); }
+    // Directions are felt between cells that are side by side.
+    bool directed() const { return plane() && !world_.has("stencil", "5x5") && !rates("uniform") && !rates("uneven"); }
 
     void line(const std::string& statement) { text_ += statement + "\n"; }
 
@@ -61,7 +62,12 @@ private:
             const std::string& stencil = world_["stencil"];
             // No two weights are alike, so that none can stand for another.
             const char* const weights = " 0.125 0.5 -0.0625 0.75 -2.75 0.375 0.1875 0.625 0.25";
-            if (stencil != "published") line("define stencil " + stencil + (stencil == "3x3" ? weights : ""));
+            const char* const wide =
+                " 0.0625 0.125 -0.03125 0.1875 0.09375 0.15625 0.25 0.3125 0.21875 0.28125 0.34375 0.375 -5.15625 "
+                "0.40625 "
+                "0.4375 0.046875 0.46875 0.5 0.078125 0.109375 0.140625 -0.015625 0.171875 0.203125 0.234375";
+            const std::string own = stencil == "3x3" ? weights : stencil == "5x5" ? wide : "";
+            if (stencil != "published") line("define stencil " + stencil + own);
         }
         if (case_.realm != Realm::cells) return;
         if (world_["limit"] != "none") line("define division_limit " + world_["limit"]);

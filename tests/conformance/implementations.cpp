@@ -84,6 +84,10 @@ Surroundings under_oclgrind() {
 }
 
 bool oclgrind_missing() {
+#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
+    std::cout << "SKIPPED: Oclgrind is loaded with a library of the tests, and a sanitizer must be the first one\n";
+    return true;
+#endif
     if (std::filesystem::exists(oclgrind_driver)) return false;
     std::cout << "SKIPPED: Oclgrind (" << oclgrind_driver << ") is not there\n";
     return true;
