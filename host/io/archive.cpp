@@ -126,7 +126,7 @@ private:
 
 // Little-endian.
 void put(std::string& to, std::size_t number, std::size_t bytes) {
-    for (std::size_t n = 0; n < bytes; ++n) to += static_cast<char>((number >> (8 * n)) & 0xff);
+    for (; bytes > 0; --bytes, number >>= 8) to += static_cast<char>(number & 0xff);
 }
 
 // What stands before a file and in the list of files alike, from "version needed" to the length of the extra field.
