@@ -21,7 +21,7 @@ constexpr std::uint64_t iterations = 40;
 constexpr std::uint64_t stride = 8;
 constexpr std::uint64_t iterations_if_small = 3;
 // Others are left to the generated ones.
-constexpr std::array<std::string_view, 1> quick_cell_cases{"cells/at-one-place"};
+constexpr std::array<std::string_view, 2> quick_cell_cases{"cells/at-one-place", "cells/divide-while-polarized"};
 
 bool quick(const std::string& name) {
     return std::ranges::find(quick_cell_cases, std::string_view(name)) != quick_cell_cases.end();
