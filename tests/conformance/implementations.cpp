@@ -68,6 +68,10 @@ Surroundings on_rusticl() {
 }
 
 bool rusticl_missing() {
+#ifdef __SANITIZE_THREAD__
+    std::cout << "SKIPPED: under ThreadSanitizer llvmpipe takes longer than a test may\n";
+    return true;
+#endif
     if (command({"devices"}, on_rusticl()).out.find("llvmpipe") != std::string::npos) return false;
     std::cout << "SKIPPED: rusticl on llvmpipe (mesa-opencl-icd) is not there\n";
     return true;

@@ -1,6 +1,7 @@
 // Threads that must share a processor after all, as on a machine that others use too.
 #include "language/parse.hpp"
 #include "opencl/backend.hpp"
+#include "support/sanitizers.hpp"
 
 #include <sched.h>
 #include <catch2/catch.hpp>
@@ -27,6 +28,7 @@ const char* const text =
 }  // namespace
 
 TEST_CASE("strips that wait for each other take each other's work where they share a processor") {
+    test::overlook_leaks();
     cpu_set_t all;
     REQUIRE(sched_getaffinity(0, sizeof all, &all) == 0);
     OpenclOptions options;

@@ -1,6 +1,7 @@
 // What a test cannot do under a sanitizer.
 #pragma once
 
+#include <cstdlib>
 #include <iostream>
 
 namespace test {
@@ -15,5 +16,9 @@ inline bool addresses_are_reserved() {
     return false;
 #endif
 }
+
+// LeakSanitizer dies where it stops threads of a driver that share one processor ("Tracer caught signal 11"): such a
+// test goes without.
+inline void overlook_leaks() { setenv("PELAGE_LEAKS_UNSEEN", "1", 1); }
 
 }  // namespace test
