@@ -1,5 +1,6 @@
 // Machines that leave the command little: few processors, damaged caches, folders that nobody can write to.
 #include "support/process.hpp"
+#include "support/sanitizers.hpp"
 #include "texts.hpp"
 
 #include <sched.h>
@@ -145,6 +146,7 @@ TEST_CASE("what was compiled is kept, and found by the next run") {
 }
 
 TEST_CASE("a damaged entry of the cache is compiled again") {
+    test::overlook_leaks();
     const User user;
     user.check_run();
     const std::vector<fs::path> entries = files_below(user.cache());

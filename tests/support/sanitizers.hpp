@@ -17,8 +17,8 @@ inline bool addresses_are_reserved() {
 #endif
 }
 
-// LeakSanitizer dies where it stops threads of a driver that share one processor ("Tracer caught signal 11"): such a
-// test goes without.
+// LeakSanitizer dies where it stops some threads of a driver ("Tracer caught signal 11"): such a test, and what it
+// starts, goes without.
 inline void overlook_leaks() { setenv("PELAGE_LEAKS_UNSEEN", "1", 1); }
 
 }  // namespace test
