@@ -141,8 +141,8 @@ kernel __attribute__((reqd_work_group_size(PELAGE_GROUP, 1, 1))) void pelage_lat
                     for (int i = lane; i < (PELAGE_BLOCK + KEPT) * PELAGE_FIELDS; i += PELAGE_GROUP) {
                         pelage_close(SCRATCH(level & 1, -KEPT, 0) + i * SLOT, columns);
                     }
+                    barrier(CLK_LOCAL_MEM_FENCE);
                 }
-                barrier(CLK_LOCAL_MEM_FENCE);
                 //@ shared
                 for (int c = lane; c < vectors; c += PELAGE_GROUP) {
                     const int x = x0 + c * PELAGE_WIDTH;
@@ -173,7 +173,8 @@ kernel __attribute__((reqd_work_group_size(PELAGE_GROUP, 1, 1))) void pelage_lat
 #endif
                 barrier(CLK_LOCAL_MEM_FENCE);
             }
-            for (int r = 0; r < PELAGE_BLOCK && levels == steps; ++r) {
+            if (levels < steps) continue;
+            for (int r = 0; r < PELAGE_BLOCK; ++r) {
                 const int row = base + r - steps;
                 if (row < low || row >= high) continue;
                 const long there = (long)row * pitch;
