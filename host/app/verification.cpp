@@ -6,7 +6,9 @@
 #include "app/run_options.hpp"
 #include "app/say.hpp"
 #include "app/worker.hpp"
+#include "core/allowance.hpp"
 #include "core/error.hpp"
+#include "opencl/device/pocl.hpp"
 #include "opencl/device/session.hpp"
 
 #include <fmt/format.h>
@@ -21,7 +23,7 @@
 #include <map>
 #include <memory>
 #include <optional>
-#include <thread>
+#include <set>
 #include <utility>
 
 #include <poll.h>
@@ -35,6 +37,8 @@ using verify::Check;
 using verify::Result;
 using Clock = std::chrono::steady_clock;
 
+constexpr std::size_t most_jobs = 8;  // unless more are asked for
+
 std::vector<std::string> worker_arguments(const DeviceInfo& device, const VerifyOptions& options) {
     std::vector<std::string> words{"verify",     "--worker",
                                    "--device",   std::to_string(device.index),
@@ -45,18 +49,6 @@ std::vector<std::string> worker_arguments(const DeviceInfo& device, const Verify
     return words;
 }
 
-// The first check of every kernel, then the second of every one, and so on: checks of one kernel share compiled
-// programs, which two workers at the same time would both compile.
-std::vector<std::size_t> dealing_order(const std::vector<Check>& checks) {
-    std::map<std::string, std::size_t> known;
-    std::vector<std::pair<std::size_t, std::size_t>> turns;
-    for (std::size_t i = 0; i < checks.size(); ++i) turns.emplace_back(known[checks[i].kernel]++, i);
-    std::ranges::sort(turns);
-    std::vector<std::size_t> order;
-    for (const auto& [turn, check] : turns) order.push_back(check);
-    return order;
-}
-
 class Dealer {
 public:
     Dealer(const DeviceInfo& device, const std::vector<Check>& checks, const VerifyOptions& options)
@@ -64,10 +56,11 @@ public:
           options_(options),
           arguments_(worker_arguments(device, options)),
           results_(checks.size()),
-          order_(dealing_order(checks)) {}
+          dealt_(checks.size()) {}
 
     std::vector<Result> run() {
         seats_.resize(std::clamp<std::size_t>(jobs(), 1, checks_.size()));
+        if (seats_.size() > 1) share_processors();
         for (Seat& seat : seats_) next(seat);
         while (done_ < checks_.size()) wait();
         show("");
@@ -78,13 +71,10 @@ private:
     struct Seat {
         std::unique_ptr<Worker> worker;
         std::optional<std::size_t> check;  // what it is at
+        std::set<std::string> kernels;     // those that its worker has compiled
     };
 
-    std::size_t jobs() const {
-        if (options_.jobs != 0) return options_.jobs;
-        return std::min<std::size_t>(
-            8, 4 * std::max(1u, std::thread::hardware_concurrency()));  // they wait for files and each other, too
-    }
+    std::size_t jobs() const { return options_.jobs != 0 ? options_.jobs : std::min(most_jobs, usable_processors()); }
 
     void next(Seat& seat) {
         seat.check.reset();
@@ -92,10 +82,34 @@ private:
             seat.worker.reset();
             return;
         }
-        if (!seat.worker) seat.worker = std::make_unique<Worker>(arguments_);
-        seat.check = order_[asked_++];
+        if (!seat.worker) {
+            seat.worker = std::make_unique<Worker>(arguments_);
+            seat.kernels.clear();
+        }
+        seat.check = choose(seat);
+        dealt_[*seat.check] = true;
+        ++asked_;
+        begun_.insert(checks_[*seat.check].kernel);
+        seat.kernels.insert(checks_[*seat.check].kernel);
         show(checks_[*seat.check].name);
         seat.worker->ask(checks_[*seat.check].name);
+    }
+
+    // Checks of one kernel share programs, which each worker compiles for itself: it goes on with those that it has
+    // begun, else with those that nobody has, else with those of which most are left.
+    std::size_t choose(const Seat& seat) const {
+        std::map<std::string, std::size_t> left;
+        for (std::size_t i = 0; i < checks_.size(); ++i) left[checks_[i].kernel] += dealt_[i] ? 0 : 1;
+        const auto rank = [&](std::size_t i) {
+            const std::string& kernel = checks_[i].kernel;
+            const std::size_t claim = seat.kernels.contains(kernel) ? 2 : begun_.contains(kernel) ? 0 : 1;
+            return std::pair(claim, claim == 0 ? left[kernel] : 0);
+        };
+        std::optional<std::size_t> best;
+        for (std::size_t i = 0; i < checks_.size(); ++i) {
+            if (!dealt_[i] && (!best || rank(*best) < rank(i))) best = i;
+        }
+        return *best;
     }
 
     void wait() {
@@ -160,7 +174,8 @@ private:
     const VerifyOptions& options_;
     std::vector<std::string> arguments_;
     std::vector<Result> results_;
-    std::vector<std::size_t> order_;
+    std::vector<bool> dealt_;
+    std::set<std::string> begun_;  // the kernels that some worker has compiled
     std::vector<Seat> seats_;
     std::size_t asked_ = 0;
     std::size_t done_ = 0;
@@ -170,9 +185,8 @@ private:
 
 std::vector<Check> selected(const VerifyOptions& options) {
     std::vector<Check> checks;
-    for (Check& check : verify::all_checks(options.seed)) {
-        const bool in_form = options.full || check.quick;
-        if (in_form && check.name.find(options.filter) != std::string::npos) checks.push_back(std::move(check));
+    for (Check& check : verify::all_checks(options.seed, options.full)) {
+        if (check.name.find(options.filter) != std::string::npos) checks.push_back(std::move(check));
     }
     if (checks.empty()) {
         throw Error(fmt::format("no check of the {} form has '{}' in its name; `pelage verify --list` names them",
@@ -192,7 +206,7 @@ verify::DeviceReport verify_device(const DeviceInfo& device, const std::vector<C
 
 int answer_checks(const VerifyOptions& options) {
     end_with_parent();
-    const std::vector<Check> checks = verify::all_checks(options.seed);
+    const std::vector<Check> checks = verify::all_checks(options.seed, options.full);
     verify::Place place(select_device(options.device), options.seed, options.full, options.small);
     for (std::string name; std::getline(std::cin, name);) {
         const auto check = std::ranges::find(checks, name, &Check::name);

@@ -141,7 +141,7 @@ void add_verify(CLI::App& app, int& exit_code) {
     command->add_option("--seed", options.seed, "For the checks that are drawn at random. Default: 1")
         ->type_name("N")
         ->transform(whole_number(0, std::numeric_limits<std::uint64_t>::max()));
-    command->add_option("--jobs", options.jobs, "Processes at once (default: four a processor, at most 8)")
+    command->add_option("--jobs", options.jobs, "Processes at once (default: as many as processors, at most 8)")
         ->type_name("N")
         ->transform(whole_number(1, 64));
     command->add_option("--limit", options.limit, "Seconds that one check may take. Default: 300")

@@ -100,8 +100,8 @@ struct Check {
     std::function<Outcome(Place&)> run;
 };
 
-// All checks, in the order in which they run. `seed` makes the random ones.
-std::vector<Check> all_checks(std::uint64_t seed);
+// The checks of the full form or of the quick one, in the order in which they run. `seed` makes the random ones.
+std::vector<Check> all_checks(std::uint64_t seed, bool full = true);
 
 // Parts of them.
 std::vector<Check> lattice_checks();
@@ -117,7 +117,7 @@ std::vector<Check> neighbour_checks(std::uint64_t seed);
 std::vector<Check> gather_checks(std::uint64_t seed);
 std::vector<Check> random_checks(std::uint64_t seed);
 std::vector<Check> checkpoint_checks();
-std::vector<Check> array_checks();
+std::vector<Check> array_checks(bool full);
 std::vector<Check> finite_checks();
 std::vector<Check> reading_checks();
 

@@ -7,11 +7,13 @@
 #include <catch2/catch.hpp>
 
 #include <algorithm>
+#include <chrono>
 #include <csignal>
 #include <filesystem>
 #include <fstream>
 #include <sstream>
 #include <string>
+#include <thread>
 #include <vector>
 
 namespace fs = std::filesystem;
@@ -44,7 +46,7 @@ struct User {
     fs::path cache() const { return home() / ".cache" / "pelage"; }
 
     std::string start(const std::string& variables) const {
-        return "env -u PELAGE_CACHE -u POCL_CACHE_DIR -u XDG_CACHE_HOME HOME=" + home().string() +
+        return "env -u PELAGE_CACHE -u POCL_CACHE_DIR -u POCL_AFFINITY -u XDG_CACHE_HOME HOME=" + home().string() +
                " TMPDIR=" + temporary().string() + " " + variables + " " + program + " ";
     }
     Outcome run(const fs::path& out, const std::string& variables, const std::string& options) const {
@@ -104,6 +106,25 @@ TEST_CASE("threads stay on the processors that the command may use") {
     }
     child.signal(SIGTERM);
     CHECK(child.wait().exit_code == 130);
+}
+
+TEST_CASE("processes that verify starts beside each other may run on all processors") {
+    constexpr std::size_t with_threads_of_pocl = 3;
+    constexpr auto pause = std::chrono::milliseconds(5);
+    const std::string all = after("/proc/self/status", "Cpus_allowed_list:");
+    Child child({"env", "-u", "POCL_AFFINITY", PELAGE_COMMAND, "verify", "--filter", "pairs/", "--jobs", "2"});
+    const pid_t worker = test::child_of(child.id(), "--worker");
+    REQUIRE(worker != 0);
+    const fs::path threads = "/proc/" + std::to_string(worker) + "/task";
+    while (test::names_in(threads).size() < with_threads_of_pocl) {
+        REQUIRE(child.running());
+        std::this_thread::sleep_for(pause);
+    }
+    std::this_thread::sleep_for(20 * pause);
+
+    for (const auto& thread : fs::directory_iterator(threads)) {
+        CHECK(after(thread.path() / "status", "Cpus_allowed_list:") == all);
+    }
 }
 
 TEST_CASE("any number of PoCL's threads gives the reference's bits, bound or not") {

@@ -334,7 +334,8 @@ class Bench:
         self.tree = chosen.tree.resolve() if chosen.tree else None
         self.names = in_order(self.program, self.form)
         self.surroundings = dict(os.environ, PELAGE_CACHE=str(self.work / "cache"),
-                                 POCL_CACHE_DIR=str(self.work / "pocl-cache"))
+                                 POCL_CACHE_DIR=str(self.work / "pocl-cache"),
+                                 POCL_AFFINITY="0")  # workers beside each other, each on any processor
         self.kernels_of = {}  # by name of a check: the kernel files that its programs are put together of
 
     def healthy(self):

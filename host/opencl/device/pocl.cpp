@@ -116,6 +116,8 @@ void set_threads() {
     setenv("POCL_AFFINITY", bound && may_run_on_first(threads) ? "1" : "0", 1);
 }
 
+bool affinity_was_set = false;
+
 std::atomic<const char*> folder_name{nullptr};
 
 Preparation& preparation() {
@@ -128,11 +130,17 @@ Preparation& preparation() {
 void prepare_pocl() {
     static std::once_flag once;
     std::call_once(once, [] {
+        affinity_was_set = variable("POCL_AFFINITY").has_value();
         set_threads();
         find_folder(preparation());
         check_file_size(preparation());
         if (preparation().folder) folder_name = preparation().folder->path().c_str();
     });
+}
+
+void share_processors() {
+    prepare_pocl();
+    if (!affinity_was_set) setenv("POCL_AFFINITY", "0", 1);
 }
 
 fs::path pocl_folder() {

@@ -19,6 +19,10 @@ inline constexpr const char* pocl_platform = "Portable Computing Language";
 //                           Compiled programs are kept in our own cache; see pocl_programs.hpp.
 void prepare_pocl();
 
+// The processes that this one starts from now on work beside each other: they leave POCL_AFFINITY 0, unless it was set.
+// Each binds its first thread, which compiles, to the first processor otherwise, and others idle.
+void share_processors();
+
 // The private folder; empty when there is none.
 std::filesystem::path pocl_folder();
 const char* pocl_folder_name();  // the same, null when there is none; a signal handler may ask
