@@ -23,13 +23,12 @@ constexpr std::array statement_parsers{parse_define,   parse_use,    parse_creat
                                        parse_colormap, parse_output, parse_texture, parse_zoom};
 static_assert(statement_words.size() == statement_parsers.size() + 1);  // joined_text() has carried out `include`
 
-// The line to everything that has come with it.
+// The line to everything that has come with it, but for starts, some of which come at the end.
 void note(Outline& outline, const Script& script, std::size_t line, std::string what) {
     outline.statements.push_back({line, std::move(what), outline.phases.size()});
     const Experiment& experiment = script.experiment;
     outline.chemicals.resize(experiment.chemicals.size(), line);
     outline.mappings.resize(experiment.mappings.size(), line);
-    outline.prepattern.resize(experiment.prepattern.size(), line);
     outline.phases.resize(experiment.phases.size(), line);
     outline.outputs.resize(script.outputs.size(), line);
 }
@@ -66,10 +65,10 @@ Experiment parse_experiment(const std::string& text, const std::string& source_n
     std::size_t number = 0;
     for (const std::string_view line : lines_of(joined.text)) parse_line(script, ++number, line, outline);
     Experiment experiment = script.finish();
-    // Starts that came with the end belong to the lines that asked for them.
-    for (std::size_t i = outline == nullptr ? experiment.prepattern.size() : outline->prepattern.size();
-         i < experiment.prepattern.size(); ++i)
-        outline->prepattern.push_back(script.line_of_start(i));
+    if (outline != nullptr) {
+        for (std::size_t i = 0; i < experiment.prepattern.size(); ++i)
+            outline->prepattern.push_back(script.line_of_start(i));
+    }
     return experiment;
 }
 

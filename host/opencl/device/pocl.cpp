@@ -111,7 +111,8 @@ void set_threads() {
     const std::size_t threads =
         asked > 0 ? std::min(static_cast<std::size_t>(asked), std::max(most_threads, usable)) : usable;
     if (set || usable < there) setenv("POCL_MAX_PTHREAD_COUNT", std::to_string(threads).c_str(), 1);
-    const bool ours = usable == there && threads == there;
+    const std::string ranks_here = variable("OMPI_COMM_WORLD_LOCAL_SIZE").value_or("1");
+    const bool ours = usable == there && threads == there && ranks_here == "1";
     const bool bound = variable("POCL_AFFINITY") ? *variable("POCL_AFFINITY") != "0" : ours;
     setenv("POCL_AFFINITY", bound && may_run_on_first(threads) ? "1" : "0", 1);
 }

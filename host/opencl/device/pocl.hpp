@@ -13,14 +13,15 @@ inline constexpr const char* pocl_platform = "Portable Computing Language";
 //   POCL_MAX_PTHREAD_COUNT  unless set to a sensible number: where this process may use fewer processors than there
 //                           are, that many
 //   POCL_AFFINITY           0 where PoCL would bind its threads to processors that this process may not use, which ends
-//                           the process; 1, unless set, where all the machine's processors are ours
+//                           the process; 1, unless set, where all the machine's processors are ours, and no other rank
+//                           of an MPI run is here
 //   POCL_CACHE_DIR          a private folder, gone with the process, in the one that was set or else in one for
 //                           temporary files: what PoCL finds damaged in a folder of long life ends the process, too.
 //                           Compiled programs are kept in our own cache; see pocl_programs.hpp.
 void prepare_pocl();
 
 // The processes that this one starts from now on work beside each other: they leave POCL_AFFINITY 0, unless it was set.
-// Each binds its first thread, which compiles, to the first processor otherwise, and others idle.
+// Otherwise threads of several that compile wait for one processor while another idles.
 void share_processors();
 
 // The private folder; empty when there is none.
