@@ -90,11 +90,11 @@ Outcome check_fast_aggregate(Place& place) {
 Outcome check_aggregate(const AggregateCase& one, Place& place) {
     if (place.small() && one.large) return {Verdict::skipped, {}, "left out with --small", {}};
     const std::size_t group = std::min<std::size_t>(8, place.device().max_work_group);
-    std::vector<Setting> settings{{}, {.path = Path::shared}};
-    if (place.small()) settings = {{.work_group = group}, {.path = Path::shared, .work_group = group}};
+    std::vector<Setting> settings{{}, {.path = Path::shared, .work_group = group}};
+    if (place.small()) settings.front().work_group = group;
     if (place.full()) {
         settings.push_back({.work_group = group});
-        settings.push_back({.path = Path::shared, .work_group = group});
+        settings.push_back({.path = Path::shared});
         settings.push_back({.path = Path::automatic});
     }
     Outcome outcome;
