@@ -44,7 +44,7 @@ constexpr std::array<AggregateCase, 13> aggregate_cases{{
      "mod(COLUMN, 36) == 3 and ROW == 20", "rule always aggregate order phi eta 2 seed family\n"},
     {"aggregates/sizes", "88 75", "RANDOM < 0.001 or ROW == COLUMN and ROW == 30",
      "rule always aggregate order phi eta 4 size mass (0.01 + 20 * RANDOM ^ 3) towards 20 0 strength 5\n"},
-    {"aggregates/many", "317 316", "RANDOM < 0.05", "rule always aggregate order phi eta 2\n", true, true},
+    {"aggregates/many", "317 316", "RANDOM < 0.055", "rule always aggregate order phi eta 2\n", true, true},
     {"aggregates/far-field", "141 117", "COLUMN == 70 and ROW == 58 or RANDOM < 0.0005",
      "rule always aggregate order phi eta 3 far-field\n"},
     {"aggregates/far-full", "13 12", "COLUMN == 4 and ROW == 7",

@@ -33,7 +33,7 @@ Experiment keeping(Size size) {
                     "rule always react A by (0.1 * M * drawn - 0.02 * A) B by (0.05 * N * NEIGHBORS)\n"
                     "phase \"second\" 100\nrule always map B conc 0 5 to N 2 1\n"
                     "rule always react A by (0.1 * ramp - 0.02 * A) B by (0.05 * N * drawn - 0.01 * B)\n"
-                    "rule if NEIGHBORS < 8 change B conc 0.125\n",
+                    "rule if NEIGHBORS < 8 change B conc (0.02 * AGE)\n",
                     size.columns, size.rows),
         "rules/keeping", ".");
 }

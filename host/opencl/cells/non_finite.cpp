@@ -1,6 +1,7 @@
 // See non_finite.hpp.
 #include "opencl/cells/non_finite.hpp"
 
+#include "core/error.hpp"
 #include "core/finite.hpp"
 #include "opencl/device/launch.hpp"
 
@@ -20,7 +21,9 @@ std::optional<NonFinite> CellsNonFinite::first_in(const CellsState& state) {
     cl_int found = 0;
     session_.queue().enqueueReadBuffer(found_, CL_TRUE, 0, sizeof found, &found);
     if (found == 0) return std::nullopt;
-    return first_non_finite(state.download().conc);
+    const auto first = first_non_finite(state.download().conc);
+    if (!first) throw Error("the device finds a value that is not finite where there is none");
+    return first;
 }
 
 }  // namespace pelage
