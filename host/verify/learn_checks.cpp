@@ -21,15 +21,16 @@ std::vector<float> drawn_numbers(std::size_t count, std::uint32_t which, float s
     return numbers;
 }
 
-// Targets are straight lines: any ascending numbers do.
+// Targets are straight lines: any ascending numbers do. The first rotation is the farthest, the third the nearest.
 LearningTask task_of(const LearningShape& shape) {
     LearningTask task;
     task.shape = shape;
     task.directions = drawn_numbers(direction_sets * pyramid_levels * patch_numbers * patch_directions, 1, 0.1f);
     for (std::size_t target = 0; target < direction_sets * shape.rotations; ++target) {
+        const float aside = 0.2f * static_cast<float>((3 * (target % shape.rotations) + 4) % 5);
         for (std::size_t list = 0; list < pyramid_levels * patch_directions; ++list) {
             const std::size_t count = shape.level_cells(list / patch_directions);
-            const float middle = 0.2f * drawn_number(target * pyramid_levels * patch_directions + list, 2);
+            const float middle = aside + 0.2f * drawn_number(target * pyramid_levels * patch_directions + list, 2);
             for (std::size_t rank = 0; rank < count; ++rank)
                 task.ranked.push_back(middle + 1.6f * (static_cast<float>(rank) / static_cast<float>(count) - 0.5f));
         }
@@ -87,7 +88,7 @@ Outcome check_learning_step(Place& place, const LearningShape& shape, const std:
 std::vector<Check> learn_checks() {
     return {{"learning/rotations", "learning", true,
              [](Place& place) {
-                 return check_learning_step(place, {32, 2, 4, 8, 3}, {0, 16});
+                 return check_learning_step(place, {32, 2, 4, 8, 5}, {0, 16});
              }},
             {"learning/one-rotation", "learning", false,
              [](Place& place) {
