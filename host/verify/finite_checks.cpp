@@ -8,6 +8,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cstddef>
 #include <limits>
 #include <memory>
@@ -92,7 +93,11 @@ Outcome search(Place& place, const Experiment& experiment) {
     Outcome outcome;
     for (const Precision precision : {Precision::single_, Precision::double_}) {
         if (precision == Precision::double_ && (place.small() || !place.device().fp64)) continue;
-        Search one(outcome, experiment, initial_state(experiment, precision), place.backend({.precision = precision}));
+        // Groups that do not divide the cells, where there are two programs to compile anyway.
+        const std::size_t group =
+            precision == Precision::double_ ? std::min<std::size_t>(3, place.device().max_work_group) : 0;
+        Search one(outcome, experiment, initial_state(experiment, precision),
+                   place.backend({.precision = precision, .work_group = group}));
         place.small() ? one.in_last_cells() : one.everywhere();
         one.of_two();
     }

@@ -57,9 +57,12 @@ Step step_of(Learner& learner, const LearningShape& shape) {
     return step;
 }
 
+std::vector<float> numbers_of(const std::vector<std::size_t>& whole) { return {whole.begin(), whole.end()}; }
+
 void add_step(Tally& tally, const Step& expected, const Step& found, const std::string& where) {
     add(tally, expected.loss.samples, found.loss.samples, where + "losses");
     add(tally, std::vector{expected.loss.total}, std::vector{found.loss.total}, where + "mean of losses");
+    add(tally, numbers_of(expected.loss.rotations), numbers_of(found.loss.rotations), where + "nearest rotations");
     add(tally, expected.states, found.states, where + "states");
     add(tally, expected.slopes, found.slopes, where + "slopes of weights");
     add(tally, expected.learned.weights, found.learned.weights, where + "weights");
