@@ -48,6 +48,7 @@ struct GeneratedWorld {
     std::size_t number = 0;
     ArrayRow world;
     std::vector<ArrayRow> rules;  // whole rows: the world's values, then the rule's
+    std::size_t alike = 0;        // lattices before it that have its path and kind of sizes
     std::size_t expressions = 0;  // how many rules of the worlds before have one
 };
 

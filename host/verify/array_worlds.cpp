@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <map>
+#include <string>
 #include <utility>
 
 namespace pelage::verify {
@@ -36,7 +37,10 @@ std::vector<GeneratedWorld> deal_rules(Realm realm, std::size_t strength) {
     const Covering rules = cover(rule_array(realm, strength));
     for (std::size_t i = 0; i < rules.rows.size(); ++i) made[rules.of_given[i]].rules.push_back(rules.rows[i]);
     std::size_t expressions = 0;
+    std::map<std::pair<std::string, std::string>, std::size_t> known;
     for (GeneratedWorld& world : made) {
+        const Values values(realm, world.world);
+        if (realm == Realm::lattice) world.alike = known[{values["path"], values["sizes"]}]++;
         world.expressions = expressions;
         expressions += static_cast<std::size_t>(
             std::ranges::count_if(world.rules, [&](const ArrayRow& rule) { return has_expression(realm, rule); }));

@@ -9,6 +9,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <bit>
 #include <cstddef>
 #include <limits>
 #include <memory>
@@ -30,6 +31,7 @@ rule always change B conc 0.01
 )";
 
 constexpr double no_number = std::numeric_limits<double>::quiet_NaN();
+constexpr auto with_all_bits = std::bit_cast<double>(0x7fffffffffffffffULL);  // another one
 
 std::string place_in_words(const std::optional<NonFinite>& found) {
     return found ? fmt::format("chemical {}, cell {}", found->chemical, found->cell) : "none";
@@ -44,7 +46,7 @@ public:
         expect({}, "nothing");
         for (std::size_t chemical = 0; chemical < state_.conc.size(); ++chemical) {
             for (const std::size_t cell : {std::size_t{0}, std::size_t{1}, state_.cells() / 2, state_.cells() - 1}) {
-                for (const double value : {no_number, -infinite}) place(chemical, cell, value);
+                for (const double value : {no_number, with_all_bits, -infinite}) place(chemical, cell, value);
             }
         }
     }

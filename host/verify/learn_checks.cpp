@@ -103,6 +103,10 @@ std::vector<Check> learn_checks() {
              [](Place& place) {
                  return check_learning_step(place, {32, 2, 8, 16, 2}, {0, 16});
              }},
+            {"learning/many", "learning", false,  // more cells than 15 bits count
+             [](Place& place) {
+                 return check_learning_step(place, {192, 1, 4, 8, 1}, {0, 16});
+             }},
             {"learning/uneven", "learning", false, [](Place& place) {
                  return check_learning_step(place, {48, 1, 4, 24, 2}, {0, 32});
              }}};

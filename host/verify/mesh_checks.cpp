@@ -12,6 +12,9 @@
 
 #include <fmt/format.h>
 
+#include <cmath>
+#include <cstdint>
+#include <numbers>
 #include <string>
 #include <variant>
 #include <vector>
@@ -92,6 +95,26 @@ Experiment on_mesh(const char* lattice_case_name) {
     return experiment;
 }
 
+// A vertex with more neighbours than 15 bits count.
+Experiment on_a_fan() {
+    constexpr std::size_t rim = 33'000;
+    Mesh fan;
+    fan.vertices.push_back({0, 0, 0});
+    for (std::size_t i = 0; i < rim; ++i) {
+        const double angle = 2 * std::numbers::pi * static_cast<double>(i) / rim;
+        fan.vertices.push_back({10 * std::cos(angle), 10 * std::sin(angle), 0.5});
+        const auto at = static_cast<std::uint32_t>(i);
+        fan.triangles.push_back({0, at + 1, static_cast<std::uint32_t>((i + 1) % rim + 1)});
+    }
+    Experiment experiment = parse_experiment(
+        "define chemical A floor none\nuse chemical A conc 1 dev 1 diff 0.00001\ncreate icosphere 0\n", "a fan", ".");
+    for (Statement& statement : experiment.prepattern) {
+        if (std::holds_alternative<CreateMesh>(statement))
+            statement = CreateMesh{make_surface(fan, MeshWeights::uniform)};
+    }
+    return experiment;
+}
+
 Outcome check_mesh(const Experiment& experiment, Place& place) {
     Outcome outcome;
     std::vector<Setting> settings{{}, {.work_group = 3, .width = 1}, {.variants = 1}};
@@ -134,6 +157,10 @@ std::vector<Check> mesh_checks() {
                       [](Place& place) { return check_mesh(on_mesh("reaction/fused"), place); }});
     checks.push_back(
         {"mesh/neural", "mesh step", false, [](Place& place) { return check_mesh(on_mesh("neural/wrap"), place); }});
+    checks.push_back({"mesh/fan", "mesh step", false, [](Place& place) {
+                          if (place.small()) return Outcome{Verdict::skipped, {}, "left out with --small", {}};
+                          return check_mesh(on_a_fan(), place);
+                      }});
     return checks;
 }
 
