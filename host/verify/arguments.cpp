@@ -72,19 +72,38 @@ T drawn_number(std::mt19937_64& engine, const std::vector<T>& special) {
     return std::ldexp(unit, static_cast<int>(engine() % (kind < 7 ? 8 : 40)) - (kind < 7 ? 1 : 32));
 }
 
+// Where a function of two goes another way for a pair: all pairs of them come first.
+template <class T>
+std::vector<T> special_alone() {
+    using Limits = std::numeric_limits<T>;
+    return {T(0),
+            T(-0.0),
+            Limits::min(),
+            T(1),
+            T(-1),
+            Limits::max(),
+            Limits::infinity(),
+            -Limits::infinity(),
+            Limits::quiet_NaN()};
+}
+
 }  // namespace
 
 template <class T>
 Arguments<T> drawn_arguments(std::size_t parameters, std::size_t count, std::uint64_t seed, bool narrow,
                              const std::vector<double>& more) {
     const std::vector<T> special = special_numbers<T>(more);
+    const std::vector<T> alone = special_alone<T>();
+    const std::size_t pairs = parameters > 1 ? alone.size() * alone.size() : 0;
     std::mt19937_64 engine(seed);
     Arguments<T> arguments;
     for (std::size_t place = 0; place < arguments.size(); ++place) {
         for (std::size_t i = 0; i < count; ++i) {
-            T number = place >= parameters                ? T(0)
-                       : place == 0 && i < special.size() ? special[i]
-                                                          : drawn_number(engine, special);
+            T number = place >= parameters                        ? T(0)
+                       : i < pairs && place == 0                  ? alone[i / alone.size()]
+                       : i < pairs && place == 1                  ? alone[i % alone.size()]
+                       : place == 0 && i - pairs < special.size() ? special[i - pairs]
+                                                                  : drawn_number(engine, special);
             const T size = std::fabs(number);
             if (narrow && number != T(0) && std::isfinite(number) && (size < T(0x1p-60) || size > T(0x1p60)))
                 number = T(1);

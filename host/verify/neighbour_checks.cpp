@@ -86,6 +86,7 @@ Outcome many_points(Place& place, std::uint64_t seed) {
     const auto draw = static_cast<std::uint32_t>(seed);
     for (const std::size_t count : {6000u, 70'001u}) {  // more than 16 bits count
         check_points(outcome, place, jittered(count, draw), "touching", true);
+        check_points(outcome, place, line(count), "on a long line", true);
         if (count > 6000 && !place.full()) continue;
         check_points(outcome, place, clustered(count, draw), "in clusters", place.full());
         check_points(outcome, place, shuffled(uniform(count, draw), draw), "at random", place.full());
