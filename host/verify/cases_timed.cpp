@@ -22,7 +22,7 @@ Experiment timed(const std::string& create, const std::string& name) {
         name, ".");
 }
 
-// A mapping is written until nobody reads it, while another one is.
+// A mapping is written until nobody reads it, while another one is. Cells turn, though no rate has a direction.
 Experiment keeping(Size size) {
     return parse_experiment(
         fmt::format("define chemical A limit 6 floor none\ndefine chemical B floor none\ndefine time_step 0.25\n"
@@ -31,6 +31,7 @@ Experiment keeping(Size size) {
                     "create matrix {} {}\nphase \"first\" 5\n"
                     "rule always map A conc 0 5 to M 0.25 1\nrule always map B conc 0 5 to N 1 0.5\n"
                     "rule always react A by (0.1 * M * drawn - 0.02 * A) B by (0.05 * N * NEIGHBORS)\n"
+                    "rule always polarize B conc\n"
                     "phase \"second\" 100\nrule always map B conc 0 5 to N 2 1\n"
                     "rule always react A by (0.1 * ramp - 0.02 * A) B by (0.05 * N * drawn - 0.01 * B)\n"
                     "rule if NEIGHBORS < 8 change B conc (0.02 * AGE)\n"

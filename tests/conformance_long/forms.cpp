@@ -106,9 +106,14 @@ TEST_CASE(
     CHECK(verification.process.err.empty());
     CHECK(verification.of("failed") == Names{"pairs/lattice/5-tiled-five-point-no-flux"});
     CHECK(verification.of("mistrusted").empty());
-    CHECK(verification.skipped() == Names{"device/subnormal", "neighbours/many", "values/denormal/published",
+    const std::vector<std::string> skipped = verification.skipped();
+    std::set<std::string> chosen;  // generated ones whose sizes are all large are left out, too
+    std::ranges::copy_if(skipped, std::inserter(chosen, chosen.end()),
+                         [](const std::string& name) { return !name.starts_with("pairs/"); });
+    CHECK(chosen == std::set<std::string>{"device/subnormal", "neighbours/many", "values/denormal/published",
                                           "sizes/many-rows", "sizes/many-columns-around", "cells/near-zero",
-                                          "cells/many", "learning/rotations"});
+                                          "cells/many", "aggregates/many", "values/not-finite-far",
+                                          "learning/rotations"});
     std::set<std::string> launched = lines_of(folder / "launched");
     launched.merge(launched_by_learning());
     const std::set<std::string> all = all_kernels();
