@@ -62,9 +62,9 @@ std::string QuantityWriter::choice() const {
     const std::size_t turn = nth_ + case_.made->number;
     const std::string first = fmt::format(fmt::runtime(joints[turn / 2 % 3]), signs[turn % 6]);
     const char* const field = nth_ % 2 == 0 ? "slope" : "ramp";
-    const char* const whole = nth_ % 2 == 0 ? "AGE {} 6" : "G {} 2";
-    const std::string second = fmt::format(fmt::runtime(whole), signs[(turn + 2) % 6]);
-    return fmt::format("if({}, 0.5 * {}, -(G - 3) / 4) * if({}, 1, 0.5)", first, field, second);
+    const std::string whole = nth_ % 2 == 0 ? fmt::format(" * if(AGE {} 6, 1, 0.75)", signs[turn % 6]) : "";
+    return fmt::format("if({}, 0.5 * {}, -(G - 3) / 4) * if(G {} 2, 1, 0.5){}", first, field, signs[(turn + 2) % 6],
+                       whole);
 }
 
 // Between 0.25 and 2: a function of what changes, and of what belongs to the place, and a choice. The rules with
