@@ -18,7 +18,7 @@ struct VerifyOptions {
     bool small = false;
     std::string filter;  // part of the names of checks; empty: all
     std::uint64_t seed = 1;
-    std::size_t jobs = 0;     // child processes; 0: four a processor, at most 8
+    std::size_t jobs = 0;     // child processes; 0: as many as processors, at most 8
     std::size_t limit = 300;  // seconds a check may take
     std::filesystem::path evidence = "pelage-verify";
     bool quiet = false;
