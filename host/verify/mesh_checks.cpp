@@ -85,14 +85,19 @@ rule always react A by (laplacian(A) * 0.125 + 0.001 * NEIGHBORS)
     return cases;
 }
 
-// The case of a lattice on a mesh of nearly as many cells.
-Experiment on_mesh(const char* lattice_case_name) {
-    Experiment experiment = lattice_case(lattice_case_name).experiment({16, 8});
+// The experiment with this surface where it creates something else.
+template <class Created>
+Experiment on_surface(Experiment experiment, const Mesh& mesh, MeshWeights weights) {
     for (Statement& statement : experiment.prepattern) {
-        if (std::holds_alternative<CreateMatrix>(statement))
-            statement = CreateMesh{make_surface(torus(16, 8), MeshWeights::cotangent)};
+        if (std::holds_alternative<Created>(statement)) statement = CreateMesh{make_surface(mesh, weights)};
     }
     return experiment;
+}
+
+// The case of a lattice on a mesh of nearly as many cells.
+Experiment on_mesh(const char* lattice_case_name) {
+    return on_surface<CreateMatrix>(lattice_case(lattice_case_name).experiment({16, 8}), torus(16, 8),
+                                    MeshWeights::cotangent);
 }
 
 // A vertex with more neighbours than 15 bits count.
@@ -106,13 +111,9 @@ Experiment on_a_fan() {
         const auto at = static_cast<std::uint32_t>(i);
         fan.triangles.push_back({0, at + 1, static_cast<std::uint32_t>((i + 1) % rim + 1)});
     }
-    Experiment experiment = parse_experiment(
-        "define chemical A floor none\nuse chemical A conc 1 dev 1 diff 0.00001\ncreate icosphere 0\n", "a fan", ".");
-    for (Statement& statement : experiment.prepattern) {
-        if (std::holds_alternative<CreateMesh>(statement))
-            statement = CreateMesh{make_surface(fan, MeshWeights::uniform)};
-    }
-    return experiment;
+    const char* const text =
+        "define chemical A floor none\nuse chemical A conc 1 dev 1 diff 0.00001\ncreate icosphere 0\n";
+    return on_surface<CreateMesh>(parse_experiment(text, "a fan", "."), fan, MeshWeights::uniform);
 }
 
 Outcome check_mesh(const Experiment& experiment, Place& place) {
