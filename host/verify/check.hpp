@@ -106,6 +106,7 @@ std::vector<Check> all_checks(std::uint64_t seed, bool full = true);
 // Parts of them.
 std::vector<Check> lattice_checks();
 std::vector<Check> batch_checks();
+std::vector<Check> alike_checks();
 std::vector<Check> law_checks(std::uint64_t seed);
 std::vector<Check> cell_checks();
 std::vector<Check> aggregate_checks();
