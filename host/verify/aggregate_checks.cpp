@@ -30,8 +30,9 @@ struct AggregateCase {
 // descent is kept; charges of many sizes; more candidates than 15 bits count. With a far field: several levels of
 // blocks, none of them and one row of them; draws that are all rejected, when the last candidates have the same
 // potential; bounds that are made anew for another eta in each iteration; corridors, at whose ends a few great charges
-// put the highest potentials beside a block that has none as high.
-constexpr std::array<AggregateCase, 14> aggregate_cases{{
+// put the highest potentials beside a block that has none as high; charges so small that the last digits of what far
+// ones add count.
+constexpr std::array<AggregateCase, 15> aggregate_cases{{
     {"aggregates/point", "61 47", "COLUMN == 30 and ROW == 23", "rule always aggregate order phi eta 3\n"},
     {"aggregates/corner", "97 5", "COLUMN == 0 and ROW == 0", "rule always aggregate order phi eta 1\n"},
     {"aggregates/even", "40 37", "RANDOM < 0.02", "rule always aggregate order phi eta 0\n"},
@@ -58,6 +59,9 @@ constexpr std::array<AggregateCase, 14> aggregate_cases{{
      "rule always aggregate order phi eta (ITERATION / 40) size mass (0.01 + 20 * RANDOM ^ 3) far-field\n", true},
     {"aggregates/far-corridors", "150 90 where (mod(ROW, 2) == 0)", "COLUMN == 70 and mod(ROW, 2) == 0",
      "rule always aggregate order phi eta 8 size mass (0.01 + 990 * RANDOM ^ 30) far-field\n", true},
+    {"aggregates/far-slight", "120 100", "mod(COLUMN, 40) == 7 and mod(ROW, 45) == 3",
+     "set cells where (mod(COLUMN, 40) == 7 and mod(ROW, 45) == 3) chemical mass conc 0.001\n"
+     "rule always aggregate order phi eta 2 size mass (0.001 + 0.001 * RANDOM) far-field\n"},
 }};
 
 Experiment experiment_of(const AggregateCase& one) {

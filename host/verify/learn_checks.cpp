@@ -107,6 +107,10 @@ std::vector<Check> learn_checks() {
              [](Place& place) {
                  return check_learning_step(place, {192, 1, 4, 8, 1}, {0, 16});
              }},
+            {"learning/wide", "learning", false,  // more weights than 15 bits count
+             [](Place& place) {
+                 return check_learning_step(place, {32, 1, 64, 256, 1}, {0, 16});
+             }},
             {"learning/uneven", "learning", false, [](Place& place) {
                  return check_learning_step(place, {48, 1, 4, 24, 2}, {0, 32});
              }}};
