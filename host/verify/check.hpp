@@ -110,6 +110,7 @@ std::vector<Check> alike_checks();
 std::vector<Check> law_checks(std::uint64_t seed);
 std::vector<Check> cell_checks();
 std::vector<Check> aggregate_checks();
+std::vector<Check> term_checks();
 std::vector<Check> learn_checks();
 std::vector<Check> mesh_checks();
 std::vector<Check> primitive_checks(std::uint64_t seed);
