@@ -24,14 +24,14 @@ namespace {
 struct Asked {
     std::int64_t lowest, highest, value;
     std::uint32_t one, other;  // sites, in 15 bits column and row
-    float size, eta, number, power;
+    float size, eta, number, share, power, unused;
 };
 
 constexpr const char* text = R"(
 struct asked {
     long lowest, highest, value;
     uint one, other;
-    float size, eta, number, power;
+    float size, eta, number, share, power, unused;
 };
 
 kernel void pelage_check_terms(global const struct asked* all, global uint* out) {
@@ -48,13 +48,14 @@ kernel void pelage_check_terms(global const struct asked* all, global uint* out)
     found[3] = (uint)(weight >> 32);
     found[4] = as_uint(pelage_inverse_root(this.number));
     found[5] = as_uint(pelage_reciprocal(this.number));
-    found[6] = as_uint(pelage_binary_log(1.0f / this.number));
+    found[6] = as_uint(pelage_binary_log(this.share));
     found[7] = pelage_binary_power(this.power);
 }
 )";
 constexpr std::size_t words_of_one = 8;
 
-// Potentials within few and many bits; numbers from 1 to 2^31, powers from -60 to 1.
+// Potentials within few and many bits; numbers from 1 to 2^31, shares down to 2^-20, half of them about 1, where the
+// digits of a logarithm are finest; powers from -60 to 1.
 std::vector<Asked> drawn(std::size_t count, std::uint64_t seed) {
     std::vector<Asked> all;
     for (std::size_t n = 0; n < count; ++n) {
@@ -71,6 +72,7 @@ std::vector<Asked> drawn(std::size_t count, std::uint64_t seed) {
         one.size = std::exp2(unit_uniform<float>(b[2]) * 20.0f - 10.0f);
         one.eta = n % 9 == 0 ? 0.0f : unit_uniform<float>(b[3]) * 12.0f;
         one.number = std::exp2(unit_uniform<float>(a[1]) * 30.99f);
+        one.share = std::exp2(unit_uniform<float>(b[0]) - (n % 2 == 0 ? 0.5f : 20.0f));
         one.power = unit_uniform<float>(a[0]) * 61.0f - 60.0f;
         all.push_back(one);
     }
@@ -94,7 +96,7 @@ std::vector<std::uint32_t> by_reference(const std::vector<Asked>& all, bool size
             words.push_back(static_cast<std::uint32_t>(number >> 32));
         }
         for (const float number : {inverse_root(one.number), reference::reciprocal(one.number),
-                                   reference::binary_log(1.0f / one.number), reference::binary_power(one.power)})
+                                   reference::binary_log(one.share), reference::binary_power(one.power)})
             words.push_back(std::bit_cast<std::uint32_t>(number));
     }
     return words;
