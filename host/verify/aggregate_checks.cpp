@@ -27,12 +27,13 @@ struct AggregateCase {
 
 // Seeds in a corner, few and many; no more candidates than a block of weights holds, and several blocks of them; every
 // parameter, as a number and as an expression; a lattice that is full in the end; walls with doors, and seeds whose
-// descent is kept; charges of many sizes; more candidates than 15 bits count. With a far field: several levels of
+// descent is kept; charges of many sizes; more candidates than 15 bits count, and
+// in the share of each group as well. With a far field: several levels of
 // blocks, none of them and one row of them; draws that are all rejected, when the last candidates have the same
 // potential; bounds that are made anew for another eta in each iteration; corridors, at whose ends a few great charges
 // put the highest potentials beside a block that has none as high; charges so small that the last digits of what far
 // ones add count.
-constexpr std::array<AggregateCase, 15> aggregate_cases{{
+constexpr std::array<AggregateCase, 16> aggregate_cases{{
     {"aggregates/point", "61 47", "COLUMN == 30 and ROW == 23", "rule always aggregate order phi eta 3\n"},
     {"aggregates/corner", "97 5", "COLUMN == 0 and ROW == 0", "rule always aggregate order phi eta 1\n"},
     {"aggregates/even", "40 37", "RANDOM < 0.02", "rule always aggregate order phi eta 0\n"},
@@ -47,6 +48,8 @@ constexpr std::array<AggregateCase, 15> aggregate_cases{{
     {"aggregates/sizes", "88 75", "RANDOM < 0.001 or ROW == COLUMN and ROW == 30",
      "rule always aggregate order phi eta 4 size mass (0.01 + 20 * RANDOM ^ 3) towards 20 0 strength 5\n"},
     {"aggregates/many", "317 316", "RANDOM < 0.055", "rule always aggregate order phi eta 2\n", true, true},
+    {"aggregates/very-many", "301 299", "mod(COLUMN, 3) == 1 and mod(ROW, 3) == 1",
+     "rule always aggregate order phi eta 2\n", false, true},
     {"aggregates/far-field", "141 117", "COLUMN == 70 and ROW == 58 or RANDOM < 0.0005",
      "rule always aggregate order phi eta 3 far-field\n"},
     {"aggregates/far-full", "13 12", "COLUMN == 4 and ROW == 7",
@@ -99,6 +102,7 @@ Outcome check_aggregate(const AggregateCase& one, Place& place) {
     const std::size_t group = std::min<std::size_t>(8, place.device().max_work_group);
     std::vector<Setting> settings{{}, {.path = Path::shared, .work_group = group}};
     if (place.small()) settings.front().work_group = group;
+    if (one.large) settings.front().path = Path::step;  // as with still more places
     if (place.full()) {
         settings.push_back({.work_group = group});
         settings.push_back({.path = Path::shared});

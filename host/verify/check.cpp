@@ -118,10 +118,10 @@ std::vector<std::size_t> telling_counts(const Place& place) {
 
 std::vector<Check> all_checks(std::uint64_t seed, bool full) {
     std::vector<Check> checks = primitive_checks(seed);
-    for (auto part : {function_checks(), neighbour_checks(seed), gather_checks(seed), lattice_checks(), batch_checks(),
-                      alike_checks(), law_checks(seed), cell_checks(), aggregate_checks(), term_checks(),
-                      learn_checks(), mesh_checks(), checkpoint_checks(), array_checks(full), finite_checks(),
-                      reading_checks(), random_checks(seed)}) {
+    for (auto part : {function_checks(), neighbour_checks(seed), order_checks(), gather_checks(seed), lattice_checks(),
+                      batch_checks(), alike_checks(), law_checks(seed), cell_checks(), aggregate_checks(),
+                      term_checks(), learn_checks(), mesh_checks(), checkpoint_checks(), array_checks(full),
+                      finite_checks(), reading_checks(), random_checks(seed)}) {
         checks.insert(checks.end(), std::make_move_iterator(part.begin()), std::make_move_iterator(part.end()));
     }
     if (!full) std::erase_if(checks, [](const Check& check) { return !check.quick; });

@@ -116,6 +116,7 @@ std::vector<Check> mesh_checks();
 std::vector<Check> primitive_checks(std::uint64_t seed);
 std::vector<Check> function_checks();
 std::vector<Check> neighbour_checks(std::uint64_t seed);
+std::vector<Check> order_checks();
 std::vector<Check> gather_checks(std::uint64_t seed);
 std::vector<Check> random_checks(std::uint64_t seed);
 std::vector<Check> checkpoint_checks();
