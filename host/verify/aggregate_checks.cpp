@@ -27,13 +27,12 @@ struct AggregateCase {
 
 // Seeds in a corner, few and many; no more candidates than a block of weights holds, and several blocks of them; every
 // parameter, as a number and as an expression; a lattice that is full in the end; walls with doors, and seeds whose
-// descent is kept; charges of many sizes; more candidates than 15 bits count, and
-// in the share of each group as well. With a far field: several levels of
-// blocks, none of them and one row of them; draws that are all rejected, when the last candidates have the same
-// potential; bounds that are made anew for another eta in each iteration; corridors, at whose ends a few great charges
-// put the highest potentials beside a block that has none as high; charges so small that the last digits of what far
-// ones add count.
-constexpr std::array<AggregateCase, 16> aggregate_cases{{
+// descent is kept; charges of many sizes; more candidates than 15 bits count, and in the share of each group as well.
+// With a far field: several levels of blocks, none of them and one row of them; draws that are all rejected, when the
+// last candidates have the same potential; bounds that are made anew for another eta in each iteration; corridors, at
+// whose ends a few great charges put the highest potentials beside a block that has none as high; many candidates, too;
+// charges so small that the last digits of what far ones add count.
+constexpr std::array<AggregateCase, 17> aggregate_cases{{
     {"aggregates/point", "61 47", "COLUMN == 30 and ROW == 23", "rule always aggregate order phi eta 3\n"},
     {"aggregates/corner", "97 5", "COLUMN == 0 and ROW == 0", "rule always aggregate order phi eta 1\n"},
     {"aggregates/even", "40 37", "RANDOM < 0.02", "rule always aggregate order phi eta 0\n"},
@@ -62,6 +61,8 @@ constexpr std::array<AggregateCase, 16> aggregate_cases{{
      "rule always aggregate order phi eta (ITERATION / 40) size mass (0.01 + 20 * RANDOM ^ 3) far-field\n", true},
     {"aggregates/far-corridors", "150 90 where (mod(ROW, 2) == 0)", "COLUMN == 70 and mod(ROW, 2) == 0",
      "rule always aggregate order phi eta 8 size mass (0.01 + 990 * RANDOM ^ 30) far-field\n", true},
+    {"aggregates/far-many", "301 299", "mod(COLUMN, 3) == 1 and mod(ROW, 3) == 1",
+     "rule always aggregate order phi eta 2 far-field\n", false, true},
     {"aggregates/far-slight", "120 100", "mod(COLUMN, 40) == 7 and mod(ROW, 45) == 3",
      "set cells where (mod(COLUMN, 40) == 7 and mod(ROW, 45) == 3) chemical mass conc 0.001\n"
      "rule always aggregate order phi eta 2 size mass (0.001 + 0.001 * RANDOM) far-field\n"},
