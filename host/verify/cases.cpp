@@ -108,7 +108,7 @@ void hardly_steep_touch(Snapshot& state) {
     for (std::size_t row = 0; row < 3; ++row) {
         for (std::size_t column = 0; column < 3; ++column) {
             const std::size_t cell = (row + 1) * state.columns + column + 1;
-            state.conc[0][cell] = 0.0;
+            state.conc[0][cell] = 0.25;
             state.conc[1][cell] = row == 1 && column == 2 ? 0.0001 : 0.0;
         }
     }
