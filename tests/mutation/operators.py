@@ -48,7 +48,10 @@ LIKELY = [("kernels/functions/", ["functions/"]), ("kernels/models/", ["reaction
           ("kernels/lattice/together", [".*shared"]), ("kernels/lattice/expand", ["growth/"]),
           ("kernels/lattice/resample", ["growth/"]), ("kernels/volume/", ["pairs/volume"]),
           ("kernels/mesh/", ["pairs/mesh"]), ("kernels/aggregate/", ["pairs/charges"]), ("kernels/lattice/", ["diffusion/", "rates/"]),
-          ("host/opencl/cells/", ["pairs/cells/.*-step"]), ("host/opencl/lattice/emit_fused", ["pairs/.*-(tiled|streamed)"]),
+          ("host/opencl/cells/", ["pairs/cells/.*-step"]), ("host/opencl/aggregate/", ["pairs/charges"]),
+          ("host/opencl/mesh/", ["pairs/mesh"]), ("host/opencl/volume/", ["pairs/volume"]),
+          ("host/opencl/neighbours/", ["neighbours/"]), ("host/opencl/learn/", ["learning/"]),
+          ("host/opencl/lattice/emit_fused", ["pairs/.*-(tiled|streamed)"]),
           ("host/opencl/lattice/passing", ["pairs/.*-(tiled|streamed)"]),
           ("host/", ["pairs/lattice/.*-step", "pairs/cells/.*-step", "neural/"])]
 
@@ -379,7 +382,7 @@ class Bench:
             return "gone", "", ""
         if fault["file"].startswith("kernels/"):
             return self.try_kernel(fault, text)
-        return self.try_emitter(fault, text)
+        return self.try_host(fault, text)
 
     def try_kernel(self, fault, text):
         folder = self.work / "kernels"
@@ -389,7 +392,7 @@ class Bench:
         return judge(self.program, self.likely_first(fault), self.form,
                      dict(self.surroundings, PELAGE_KERNELS=str(folder)), self.workers, self.limit)
 
-    def try_emitter(self, fault, text):
+    def try_host(self, fault, text):
         tree = self.tree or self.copied_tree()
         path = tree / fault["file"]
         healthy = path.read_text()
