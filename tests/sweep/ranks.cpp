@@ -36,7 +36,7 @@ bool no_mpi() {
 // Open MPI asks that root says twice that it is meant; these processes share the processors that there are. What Open
 // MPI keeps until the end no stack tells: under a sanitizer nobody looks for leaks here.
 std::string under_mpirun(int ranks, const std::string& words) {
-    return "ASAN_OPTIONS=detect_leaks=0 OMPI_ALLOW_RUN_AS_ROOT=1 OMPI_ALLOW_RUN_AS_ROOT_CONFIRM=1 exec mpirun "
+    return "PELAGE_LEAKS_UNSEEN=1 OMPI_ALLOW_RUN_AS_ROOT=1 OMPI_ALLOW_RUN_AS_ROOT_CONFIRM=1 exec mpirun "
            "--oversubscribe --bind-to none -n " +
            std::to_string(ranks) + " " + test::program + " " + words;
 }
