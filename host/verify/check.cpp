@@ -36,6 +36,7 @@ std::string Setting::text() const {
     if (work_group != 0) put(fmt::format("work-group {}", work_group));
     if (search == NeighbourSearch::spatial_sorting) put("spatial sorting");
     if (width != 0) put(fmt::format("width {}", width));
+    if (!guarded) put("again, unguarded");
     return text;
 }
 
@@ -47,7 +48,7 @@ OpenclBackend& Place::backend(const Setting& setting) {
     if (!backend) {
         OpenclOptions options;
         options.device = std::to_string(device_.index);
-        options.guarded = true;
+        options.guarded = setting.guarded;
         options.precision = setting.precision;
         options.path = setting.path;
         options.work_group = setting.work_group;
@@ -121,7 +122,7 @@ std::vector<Check> all_checks(std::uint64_t seed, bool full) {
     for (auto part : {function_checks(), neighbour_checks(seed), order_checks(), gather_checks(seed), lattice_checks(),
                       batch_checks(), alike_checks(), law_checks(seed), cell_checks(), aggregate_checks(),
                       term_checks(), learn_checks(), mesh_checks(), checkpoint_checks(), array_checks(full),
-                      finite_checks(), reading_checks(), random_checks(seed)}) {
+                      finite_checks(), course_checks(), reading_checks(), random_checks(seed)}) {
         checks.insert(checks.end(), std::make_move_iterator(part.begin()), std::make_move_iterator(part.end()));
     }
     if (!full) std::erase_if(checks, [](const Check& check) { return !check.quick; });

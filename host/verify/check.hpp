@@ -29,6 +29,7 @@ struct Setting {
     std::size_t rows = 0;
     std::size_t depth = 0;
     std::size_t group = 0;
+    bool guarded = true;  // false: as a run has it, where nothing hides what is left over in a buffer
 
     auto operator<=>(const Setting&) const = default;
     std::string text() const;  // "double", "double, streamed", "work-group 3"; empty for the default
@@ -37,7 +38,8 @@ struct Setting {
 inline constexpr std::size_t enough_cells = 200;  // fewer are soon all the same, which proves nothing
 inline constexpr std::size_t small_cells = 260;   // no more where a device is a simulator
 
-// The device under test: every buffer is guarded, every output poisoned. Not for several threads.
+// The device under test: every buffer is guarded, every output poisoned, but where a setting says otherwise. Not for
+// several threads.
 class Place {
 public:
     Place(DeviceInfo, std::uint64_t seed, bool full, bool small);
@@ -122,6 +124,7 @@ std::vector<Check> random_checks(std::uint64_t seed);
 std::vector<Check> checkpoint_checks();
 std::vector<Check> array_checks(bool full);
 std::vector<Check> finite_checks();
+std::vector<Check> course_checks();
 std::vector<Check> reading_checks();
 
 // Runs one check: whatever is thrown becomes a failure.

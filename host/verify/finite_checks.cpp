@@ -57,6 +57,22 @@ public:
         }
     }
 
+    // The first of two in a plane, wherever they lie: work-items may share cells in any way.
+    void of_pairs() {
+        constexpr std::size_t parts = 7;
+        for (std::size_t one = 0; one < parts; ++one) {
+            for (std::size_t other = one + 1; other <= parts; ++other) {
+                const std::size_t low = one * state_.cells() / parts;
+                const std::size_t high = other == parts ? state_.cells() - 1 : other * state_.cells() / parts;
+                if (low >= high) continue;
+                Snapshot hurt = state_;
+                hurt.conc.back()[low] = hurt.conc.back()[high] = no_number;
+                tissue_->write(hurt);
+                expect(NonFinite{state_.conc.size() - 1, low}, fmt::format("cells {} and {}", low, high));
+            }
+        }
+    }
+
     // The first in order of chemical and cell.
     void of_two() {
         Snapshot hurt = state_;
@@ -101,6 +117,7 @@ Outcome search(Place& place, const Experiment& experiment) {
         Search one(outcome, experiment, initial_state(experiment, precision),
                    place.backend({.precision = precision, .work_group = group}));
         place.small() ? one.in_last_cells() : one.everywhere();
+        if (!place.small()) one.of_pairs();
         one.of_two();
     }
     return outcome;

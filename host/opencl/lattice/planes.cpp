@@ -77,7 +77,8 @@ const cl::Buffer& Planes::next() {
 
 void Planes::poison_cells(const cl::Buffer& buffer) const {
     const std::size_t words = element_bytes() / sizeof poison;
-    std::vector<cl_uint> image(words * elements(grid_), 0);
+    std::vector<cl_uint> image(words * elements(grid_));
+    session_.queue().enqueueReadBuffer(buffer, CL_TRUE, 0, image.size() * sizeof poison, image.data());
     for (std::size_t plane = 0; plane < planes_; ++plane) {
         for (std::size_t row = 0; row < grid_.rows; ++row) {
             std::fill_n(image.begin() + static_cast<std::ptrdiff_t>(words * cell_place(grid_, plane, row)),
@@ -89,10 +90,7 @@ void Planes::poison_cells(const cl::Buffer& buffer) const {
 
 void Planes::poison_planes(const cl::Buffer& buffer) const {
     if (!session_.guarded()) return;
-    const std::size_t planes = planes_ * grid_.plane() * element_bytes();
-    session_.poison_buffer(buffer, elements(grid_) * element_bytes());
-    session_.queue().enqueueFillBuffer(buffer, cl_uint{0}, 0, 16 * element_bytes());
-    session_.queue().enqueueFillBuffer(buffer, cl_uint{0}, 16 * element_bytes() + planes, 32 * element_bytes());
+    session_.queue().enqueueFillBuffer(buffer, poison, 16 * element_bytes(), planes_ * grid_.plane() * element_bytes());
 }
 
 void Planes::resize(const Grid& grid) {

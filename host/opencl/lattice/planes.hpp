@@ -66,8 +66,8 @@ private:
     cl::Buffer zeroed() const;
     cl::Buffer roomy(std::size_t needed);
     void clear(const cl::Buffer&) const;
-    void poison_cells(const cl::Buffer&) const;   // and zeros between them
-    void poison_planes(const cl::Buffer&) const;  // and zeros before and behind them
+    void poison_cells(const cl::Buffer&) const;   // what lies between them stays
+    void poison_planes(const cl::Buffer&) const;  // what lies before and behind them stays
 
     const Session& session_;
     std::string what_;

@@ -1,0 +1,146 @@
+// See check.hpp: whole runs, each made so that something happens in it that few runs have: what is kept from one launch
+// to the next must still be right when it comes.
+#include "core/prepattern.hpp"
+#include "language/parse.hpp"
+#include "reference/backend.hpp"
+#include "verify/check.hpp"
+
+#include <fmt/format.h>
+
+#include <array>
+#include <cstdint>
+#include <memory>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace pelage::verify {
+
+namespace {
+
+struct Course {
+    const char* name;
+    const char* kernel;
+    std::array<std::uint64_t, 2> stretches;  // iterations that the device is given at once
+    std::array<Path, 2> paths;
+    const char* text;
+};
+
+constexpr std::array<Path, 2> both{Path::step, Path::shared};
+
+constexpr std::array<Course, 6> all_courses{{
+    // Cells are born while others press against the edge of their domain.
+    {"cells/packed-births", "division", {200, 20}, both, R"(
+define chemical A
+define domain packed area 3.2
+use chemical A conc 1 dev 0.5 diff 0.1
+create hex_circle 8
+rule probability 0.01 divide direction 0 dev 180
+)"},
+    // Rules begin long after the others, and within a launch.
+    {"cells/far-ahead", "cell step", {150, 20}, both, R"(
+define chemical A floor none
+define chemical B floor none
+use chemical A conc 1 dev 0.5 diff 0.1
+use chemical B conc 1 dev 0.5 diff 0.1
+create hex_circle 6
+rule every 2 always change A conc 0.01
+rule from 57 always change A conc (0.1 * A)
+rule from 64 until 101 always change B conc (0.1 * B)
+rule from 133 always change B conc -0.5
+)"},
+    // Two come near who were not in each other's lists, none of them far from where it was; at many distances.
+    {"cells/head-on", "neighbour search", {60, 60}, both, R"(
+define chemical A
+define domain 800 800
+use chemical A conc 1 dev 0.9 diff 0.2
+use polarity 0
+create cell -300 0
+create cell -250 0
+create cell -200 0
+create cell -150 0
+create cell -100 0
+create cell -50 0
+create cell 0 0
+create cell 50 0
+create cell 100 0
+create cell 150 0
+use chemical A conc 4 diff 0.2
+use polarity 180
+create cell -296.55 0
+create cell -246.5 0
+create cell -196.45 0
+create cell -146.4 0
+create cell -96.35 0
+create cell -46.3 0
+create cell 3.75 0
+create cell 53.8 0
+create cell 103.85 0
+create cell 153.9 0
+rule always move 0.01
+)"},
+    // Of several fields of spots first one is read, then another.
+    {"mesh/blobs", "mesh step", {20, 5}, {Path::step, Path::step}, R"(
+define chemical A floor none
+use chemical A conc 1 dev 0.5 diff 0.1
+define field F blobs 5 sigma 0.2
+define field G blobs 3 sigma 0.4
+define field H blobs 4 sigma 0.3
+create icosphere 3
+rule until 10 always change A conc (0.1 * F)
+rule from 5 always change A conc (0.1 * H)
+rule until 15 always change A conc (0.1 * G)
+)"},
+    // Buffers grow again and again.
+    {"aggregates/room", "aggregates", {1300, 1700}, both, R"(
+define chemical order
+define chemical potential
+create charges 300 300
+set cells where (COLUMN == 150 and ROW == 150) chemical order conc 1
+rule always aggregate order potential eta 1
+)"},
+    {"aggregates/far-room", "aggregates", {1300, 1700}, {Path::step, Path::step}, R"(
+define chemical order
+define chemical potential
+create charges 300 300
+set cells where (COLUMN == 150 and ROW == 150) chemical order conc 1
+rule always aggregate order potential eta 1 far-field
+)"},
+}};
+
+Outcome check_course(const Course& course, Place& place) {
+    if (place.small()) return {Verdict::skipped, {}, "left out with --small", {}};
+    Outcome outcome;
+    const Experiment experiment =
+        parse_experiment(std::string("use seed 7\n") + course.text + "stop at 4000\n", course.name, ".");
+    const Snapshot initial = initial_state(experiment, Precision::single_);
+    const auto expected = reference_backend(Precision::single_)->make_tissue(experiment, initial);
+    std::vector<std::pair<Setting, std::unique_ptr<Tissue>>> found;
+    for (const Path path : course.paths) {
+        const Setting setting{.path = path};
+        if (!found.empty() && found.front().first == setting) continue;
+        found.emplace_back(setting, place.backend(setting).make_tissue(experiment, initial));
+    }
+    for (const std::uint64_t steps : course.stretches) {
+        expected->advance(steps);
+        const Snapshot there = expected->read();
+        for (const auto& [setting, tissue] : found) {
+            tissue->advance(steps);
+            add(outcome.tally, there, tissue->read(), Precision::single_,
+                fmt::format("{}{}iteration {}", setting.text(), setting.text().empty() ? "" : ", ", there.iteration));
+        }
+    }
+    conclude(outcome);
+    return outcome;
+}
+
+}  // namespace
+
+std::vector<Check> course_checks() {
+    std::vector<Check> checks;
+    for (const Course& one : all_courses)
+        checks.push_back({one.name, one.kernel, true, [&one](Place& place) { return check_course(one, place); }});
+    return checks;
+}
+
+}  // namespace pelage::verify
