@@ -28,7 +28,7 @@ struct Course {
 
 constexpr std::array<Path, 2> both{Path::step, Path::shared};
 
-constexpr std::array<Course, 6> all_courses{{
+constexpr std::array<Course, 7> all_courses{{
     // Cells are born while others press against the edge of their domain.
     {"cells/packed-births", "division", {200, 20}, both, R"(
 define chemical A
@@ -78,6 +78,15 @@ create cell 53.8 0
 create cell 103.85 0
 create cell 153.9 0
 rule always move 0.01
+)"},
+    // A lattice grows into buffers that had other rows before.
+    {"growth/room", "expansion", {60, 7}, {Path::step, Path::streamed}, R"(
+define chemical A
+define chemical B
+use chemical A conc 1 dev 0.5 diff 0.1
+use chemical B conc 2 dev 0.5 diff 0.2
+create matrix 40 30 absorbing
+rule every 5 always expand rows 1 columns 1
 )"},
     // Of several fields of spots first one is read, then another.
     {"mesh/blobs", "mesh step", {20, 5}, {Path::step, Path::step}, R"(
