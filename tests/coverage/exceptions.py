@@ -8,6 +8,7 @@ RASTERISER = "of rusticl on llvmpipe, which ends long loops: docs/conformance ke
 CHOICE = "what a run takes where nothing is asked for; checks ask for each path by name: tests/opencl asks what is chosen"
 ASKED = "of a tissue or backend, for the command: tests/app and tests/sweep read it"
 NEVER = "cannot be: all cases are above it"
+ORDERS = "of programs in another order (PELAGE_SCHEDULE): test_schedules runs them"
 
 # A file (a pattern of the shell), what tells the lines, and the reason. What tells: a regular expression found in the
 # statement that a line is part of; or "within ...": one found in the head of a block around the line.
@@ -27,9 +28,15 @@ HOST = [
     ("host/opencl/device/device_choice.cpp", r"try \{|devices\.at\(", "the variable PELAGE_DEVICE: tests/opencl sets it"),
     ("host/opencl/device/guards.cpp", r"const auto at = ", "where a kernel wrote past an end: tests/verify lets one"),
     ("host/opencl/device/options.hpp", r"operator==", "of the tuner: tests/tune compares cuts"),
+    ("host/opencl/device/options.hpp", r"std::size_t (depth|columns|rows|group) = 0;", "nothing to run: a compiler may count them at all"),
     ("host/opencl/device/pocl.cpp", r"trouble \+?=|rlim_cur", FAILS),
     ("host/opencl/device/pocl.cpp", r"pocl_folder_name", ASKED),
     ("host/opencl/device/pocl.cpp", r"std::max\(most_threads, usable\)", "the variable of PoCL for its threads: tests/app sets it"),
+    ("host/opencl/device/pocl.cpp", r"^return value;|create_directories|emplace_back\(\*set\)", "the variable POCL_CACHE_DIR: tests/app sets it"),
+    ("host/opencl/device/pocl.cpp", r"within share_processors|share_processors", "of the process that deals checks, which runs none here: tests/app watches its children's processors"),
+    ("host/opencl/device/pocl_programs.cpp", r"within write_whole|write_whole", "programs that another run has left: tests/opencl puts them back"),
+    ("host/opencl/device/schedule.cpp", r"within seed_of|seed|reverse|settings|^source;", ORDERS),
+    ("host/opencl/device/session.hpp", r"device\(\) const", ASKED),
     ("host/opencl/device/room.cpp", r"return fmt::format|mallopt", FAILS),
     ("host/opencl/device/session.cpp", r"options_\.units", "one processor for each of the lattices that `pelage sweep` runs side by side: tests/sweep and tests/app do"),
     ("host/opencl/device/session.cpp", r"within Session::program", ASKED),
@@ -57,6 +64,8 @@ HOST = [
     ("host/opencl/lattice/structure.cpp", r"within batch_room", ASKED),
     ("host/opencl/volume/step.cpp", r"within if \(!device\.processor\(\)\)", OTHER_DEVICE),
     # Free cells, neighbours, aggregates
+    ("host/opencl/aggregate/*", r"candidate_bytes|place_room_ \*|candidate_room_ \*", "of tests/aggregate, which weighs a candidate"),
+    ("host/opencl/aggregate/far_device.cpp", r"return one \? 1", "run, but counted in the line before it"),
     ("host/opencl/aggregate/device.cpp", r"within particles_at_once", RASTERISER),
     ("host/opencl/aggregate/tissue.cpp", r"do_set_rate|do_non_finite", "nothing diffuses there, and all values are whole numbers or sums of few"),
     ("host/opencl/cells/state.cpp", r"within forget_torn", FAILS),
@@ -84,6 +93,8 @@ KERNELS = [
     ("kernels/learn/iteration.cl", "branch", r"^#else of #ifdef __clang__", UNCLANGED),
     ("kernels/rules/neural.cl", "branch", r"^#else of #ifdef __clang__", UNCLANGED),
     ("kernels/rules/philox.cl", "branch", r"^#else of #ifdef __clang__", UNCLANGED),
+    ("kernels/common/schedule.cl", "file", r".", ORDERS),
+    ("kernels/common/schedule.cl", "branch", r".", ORDERS),
     ("kernels/common/yardstick.cl", "file", r".", BENCH),
     ("kernels/common/yardstick.cl", "kernel", r".", BENCH),
     ("kernels/lattice/stream.cl", "branch", r"^#else, of #ifdef PELAGE_PREFETCH",
