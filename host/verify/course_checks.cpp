@@ -11,7 +11,6 @@
 #include <cstdint>
 #include <memory>
 #include <string>
-#include <utility>
 #include <vector>
 
 namespace pelage::verify {
@@ -22,15 +21,14 @@ struct Course {
     const char* name;
     const char* kernel;
     std::array<std::uint64_t, 2> stretches;  // iterations that the device is given at once
-    std::array<Path, 2> paths;
+    Path path;
+    bool quick;
     const char* text;
 };
 
-constexpr std::array<Path, 2> both{Path::step, Path::shared};
-
 constexpr std::array<Course, 7> all_courses{{
     // Cells are born while others press against the edge of their domain.
-    {"cells/packed-births", "division", {200, 20}, both, R"(
+    {"cells/packed-births", "division", {200, 20}, Path::shared, true, R"(
 define chemical A
 define domain packed area 3.2
 use chemical A conc 1 dev 0.5 diff 0.1
@@ -38,7 +36,7 @@ create hex_circle 8
 rule probability 0.01 divide direction 0 dev 180
 )"},
     // Rules begin long after the others, and within a launch.
-    {"cells/far-ahead", "cell step", {150, 20}, both, R"(
+    {"cells/far-ahead", "cell step", {150, 20}, Path::step, true, R"(
 define chemical A floor none
 define chemical B floor none
 use chemical A conc 1 dev 0.5 diff 0.1
@@ -50,7 +48,7 @@ rule from 64 until 101 always change B conc (0.1 * B)
 rule from 133 always change B conc -0.5
 )"},
     // Two come near who were not in each other's lists, none of them far from where it was; at many distances.
-    {"cells/head-on", "neighbour search", {60, 60}, both, R"(
+    {"cells/head-on", "neighbour search", {60, 60}, Path::step, true, R"(
 define chemical A
 define domain 800 800
 use chemical A conc 1 dev 0.9 diff 0.2
@@ -80,7 +78,7 @@ create cell 153.9 0
 rule always move 0.01
 )"},
     // A lattice grows into buffers that had other rows before.
-    {"growth/room", "expansion", {60, 7}, {Path::step, Path::streamed}, R"(
+    {"growth/room", "expansion", {60, 7}, Path::step, true, R"(
 define chemical A
 define chemical B
 use chemical A conc 1 dev 0.5 diff 0.1
@@ -89,7 +87,7 @@ create matrix 40 30 absorbing
 rule every 5 always expand rows 1 columns 1
 )"},
     // Of several fields of spots first one is read, then another.
-    {"mesh/blobs", "mesh step", {20, 5}, {Path::step, Path::step}, R"(
+    {"mesh/blobs", "mesh step", {20, 5}, Path::step, true, R"(
 define chemical A floor none
 use chemical A conc 1 dev 0.5 diff 0.1
 define field F blobs 5 sigma 0.2
@@ -101,14 +99,14 @@ rule from 5 always change A conc (0.1 * H)
 rule until 15 always change A conc (0.1 * G)
 )"},
     // Buffers grow again and again.
-    {"aggregates/room", "aggregates", {1300, 1700}, both, R"(
+    {"aggregates/room", "aggregates", {1300, 1700}, Path::step, true, R"(
 define chemical order
 define chemical potential
 create charges 300 300
 set cells where (COLUMN == 150 and ROW == 150) chemical order conc 1
 rule always aggregate order potential eta 1
 )"},
-    {"aggregates/far-room", "aggregates", {1300, 1700}, {Path::step, Path::step}, R"(
+    {"aggregates/far-room", "aggregates", {1300, 1700}, Path::step, false, R"(
 define chemical order
 define chemical potential
 create charges 300 300
@@ -124,19 +122,21 @@ Outcome check_course(const Course& course, Place& place) {
         parse_experiment(std::string("use seed 7\n") + course.text + "stop at 4000\n", course.name, ".");
     const Snapshot initial = initial_state(experiment, Precision::single_);
     const auto expected = reference_backend(Precision::single_)->make_tissue(experiment, initial);
-    std::vector<std::pair<Setting, std::unique_ptr<Tissue>>> found;
-    for (const Path path : course.paths) {
-        const Setting setting{.path = path};
-        if (!found.empty() && found.front().first == setting) continue;
-        found.emplace_back(setting, place.backend(setting).make_tissue(experiment, initial));
+    std::vector<Setting> settings{{.path = course.path}};
+    if (place.full()) {
+        const Path other = course.path == Path::step ? Path::automatic : Path::step;
+        settings.insert(settings.end(), {{.path = other}, {.path = course.path, .guarded = false}});
     }
+    std::vector<std::unique_ptr<Tissue>> found;
+    for (const Setting& setting : settings) found.push_back(place.backend(setting).make_tissue(experiment, initial));
     for (const std::uint64_t steps : course.stretches) {
         expected->advance(steps);
         const Snapshot there = expected->read();
-        for (const auto& [setting, tissue] : found) {
-            tissue->advance(steps);
-            add(outcome.tally, there, tissue->read(), Precision::single_,
-                fmt::format("{}{}iteration {}", setting.text(), setting.text().empty() ? "" : ", ", there.iteration));
+        for (std::size_t i = 0; i < settings.size(); ++i) {
+            found[i]->advance(steps);
+            const std::string where = settings[i].text() + (settings[i].text().empty() ? "" : ", ");
+            add(outcome.tally, there, found[i]->read(), Precision::single_,
+                fmt::format("{}iteration {}", where, there.iteration));
         }
     }
     conclude(outcome);
@@ -148,7 +148,7 @@ Outcome check_course(const Course& course, Place& place) {
 std::vector<Check> course_checks() {
     std::vector<Check> checks;
     for (const Course& one : all_courses)
-        checks.push_back({one.name, one.kernel, true, [&one](Place& place) { return check_course(one, place); }});
+        checks.push_back({one.name, one.kernel, one.quick, [&one](Place& place) { return check_course(one, place); }});
     return checks;
 }
 
