@@ -28,7 +28,7 @@ struct Course {
 
 constexpr std::array<Course, 7> all_courses{{
     // Cells are born while others press against the edge of their domain.
-    {"cells/packed-births", "division", {200, 20}, Path::shared, true, R"(
+    {"courses/packed-births", "division", {200, 20}, Path::shared, true, R"(
 define chemical A
 define domain packed area 3.2
 use chemical A conc 1 dev 0.5 diff 0.1
@@ -36,7 +36,7 @@ create hex_circle 8
 rule probability 0.01 divide direction 0 dev 180
 )"},
     // Rules begin long after the others, and within a launch.
-    {"cells/far-ahead", "cell step", {150, 20}, Path::step, true, R"(
+    {"courses/far-ahead", "cell step", {150, 20}, Path::step, true, R"(
 define chemical A floor none
 define chemical B floor none
 use chemical A conc 1 dev 0.5 diff 0.1
@@ -48,7 +48,7 @@ rule from 64 until 101 always change B conc (0.1 * B)
 rule from 133 always change B conc -0.5
 )"},
     // Two come near who were not in each other's lists, none of them far from where it was; at many distances.
-    {"cells/head-on", "neighbour search", {60, 60}, Path::step, true, R"(
+    {"courses/head-on", "neighbour search", {60, 60}, Path::shared, true, R"(
 define chemical A
 define domain 800 800
 use chemical A conc 1 dev 0.9 diff 0.2
@@ -78,7 +78,7 @@ create cell 153.9 0
 rule always move 0.01
 )"},
     // A lattice grows into buffers that had other rows before.
-    {"growth/room", "expansion", {60, 7}, Path::step, true, R"(
+    {"courses/growth", "expansion", {60, 7}, Path::step, true, R"(
 define chemical A
 define chemical B
 use chemical A conc 1 dev 0.5 diff 0.1
@@ -87,7 +87,7 @@ create matrix 40 30 absorbing
 rule every 5 always expand rows 1 columns 1
 )"},
     // Of several fields of spots first one is read, then another.
-    {"mesh/blobs", "mesh step", {20, 5}, Path::step, true, R"(
+    {"courses/blobs", "mesh step", {20, 5}, Path::step, true, R"(
 define chemical A floor none
 use chemical A conc 1 dev 0.5 diff 0.1
 define field F blobs 5 sigma 0.2
@@ -99,14 +99,14 @@ rule from 5 always change A conc (0.1 * H)
 rule until 15 always change A conc (0.1 * G)
 )"},
     // Buffers grow again and again.
-    {"aggregates/room", "aggregates", {1300, 1700}, Path::step, true, R"(
+    {"courses/candidates", "aggregates", {1300, 1700}, Path::step, true, R"(
 define chemical order
 define chemical potential
 create charges 300 300
 set cells where (COLUMN == 150 and ROW == 150) chemical order conc 1
 rule always aggregate order potential eta 1
 )"},
-    {"aggregates/far-room", "aggregates", {1300, 1700}, Path::step, false, R"(
+    {"courses/far-candidates", "aggregates", {1300, 1700}, Path::step, false, R"(
 define chemical order
 define chemical potential
 create charges 300 300
