@@ -36,7 +36,7 @@ create hex_circle 8
 rule probability 0.01 divide direction 0 dev 180
 )"},
     // Rules begin long after the others, and within a launch.
-    {"courses/far-ahead", "cell step", {150, 20}, Path::step, true, R"(
+    {"courses/far-ahead", "cell step", {150, 20}, Path::shared, true, R"(
 define chemical A floor none
 define chemical B floor none
 use chemical A conc 1 dev 0.5 diff 0.1
