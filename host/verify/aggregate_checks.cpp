@@ -108,6 +108,7 @@ Outcome check_aggregate(const AggregateCase& one, Place& place) {
         settings.push_back({.work_group = group});
         settings.push_back({.path = Path::shared});
         settings.push_back({.path = Path::automatic});
+        settings.push_back({.guarded = false});
     }
     Outcome outcome;
     const Experiment experiment = experiment_of(one);

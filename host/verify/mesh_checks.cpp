@@ -119,7 +119,8 @@ Experiment on_a_fan() {
 Outcome check_mesh(const Experiment& experiment, Place& place) {
     Outcome outcome;
     std::vector<Setting> settings{{}, {.work_group = 3, .width = 1}, {.variants = 1}};
-    if (place.full()) settings.insert(settings.end(), {{.width = 2}, {.width = 4}, {.width = 8}, {.width = 16}});
+    if (place.full())
+        settings.insert(settings.end(), {{.width = 2}, {.width = 4}, {.width = 8}, {.width = 16}, {.guarded = false}});
     if (place.full() && place.device().fp64) {
         for (const std::size_t width : {std::size_t{0}, std::size_t{1}, std::size_t{4}})
             settings.push_back({.precision = Precision::double_, .width = width});
