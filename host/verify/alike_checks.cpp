@@ -95,7 +95,7 @@ public:
         const auto batch = backend_.make_batch(starts);
         std::vector<std::unique_ptr<Tissue>> alone;
         for (const BatchStart& start : starts) alone.push_back(reference_->make_tissue(*start.experiment, start.state));
-        for (const std::uint64_t steps : {3, 13}) {
+        for (const std::uint64_t steps : {3u, 13u}) {
             batch->advance(steps);
             for (std::size_t nth = 0; nth < starts.size(); ++nth) {
                 alone[nth]->advance(steps);
@@ -144,11 +144,12 @@ Outcome check_alike(Place& place) {
 
 Outcome check_kinds(Place& place) {
     AlikeCheck check(place);
-    for (const auto& [world, rule] : every_kind) {
+    for (const auto& kind : every_kind) {
         const auto text = [&](int seed) {
-            return fmt::format("define chemical U\ndefine chemical V\nuse seed {}\n{}{}", seed, world, rule);
+            return fmt::format("define chemical U\ndefine chemical V\nuse seed {}\n{}{}", seed, kind.first,
+                               kind.second);
         };
-        check.compare(text(1), text(2), std::string(world));
+        check.compare(text(1), text(2), std::string(kind.first));
     }
     return check.outcome();
 }

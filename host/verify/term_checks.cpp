@@ -56,7 +56,7 @@ constexpr std::size_t words_of_one = 8;
 
 // Potentials within few and many bits; numbers from 1 to 2^31, shares down to 2^-20, half of them about 1, where the
 // digits of a logarithm are finest; powers from -60 to 1.
-std::vector<Asked> drawn(std::size_t count, std::uint64_t seed) {
+std::vector<Asked> drawn(std::size_t count, std::int64_t seed) {
     std::vector<Asked> all;
     for (std::size_t n = 0; n < count; ++n) {
         const auto a = counted_words(n, 0, 0, 21, seed), b = counted_words(n, 1, 0, 21, seed);
@@ -123,7 +123,10 @@ std::vector<std::uint32_t> on_device(const Session& on, const std::vector<Asked>
 }
 
 Outcome check_terms(Place& place) {
-    const std::vector<Asked> all = drawn(place.small() ? 64 : place.full() ? 1 << 20 : 1 << 16, place.seed());
+    const std::vector<Asked> all = drawn(place.small()  ? 64
+                                         : place.full() ? 1 << 20
+                                                        : 1 << 16,
+                                         static_cast<std::int64_t>(place.seed()));
     Outcome outcome;
     for (const bool sized : {false, true})
         add(outcome.tally, by_reference(all, sized), on_device(place.session(Precision::single_), all, sized),
