@@ -103,13 +103,13 @@ Outcome check_aggregate(const AggregateCase& one, Place& place) {
     const std::size_t group = std::min<std::size_t>(8, place.device().max_work_group);
     std::vector<Setting> settings{{}, {.path = Path::shared, .work_group = group}};
     if (place.small()) settings.front().work_group = group;
-    if (one.large) settings.front().path = Path::step;  // as with still more places
     if (place.full()) {
         settings.push_back({.work_group = group});
         settings.push_back({.path = Path::shared});
         settings.push_back({.path = Path::automatic});
         settings.push_back({.guarded = false});
     }
+    if (one.large && place.loop_limit() != 0) settings.resize(1);  // one group would go through too many places
     Outcome outcome;
     const Experiment experiment = experiment_of(one);
     const Snapshot initial = initial_state(experiment, Precision::single_);

@@ -60,11 +60,11 @@ kernel void pelage_aggregate_together(global uint* SHARED places, global long* S
 // All sums anew.
 kernel void pelage_aggregate_add_up(global const uint* restrict places, global long* restrict sums,
                                     global const uint* restrict charges, global const float* restrict sizes,
-                                    const int count, const int charged) {
+                                    const int begin, const int count, const int charged) {
     SPACE(long, space);
     const int group = (int)get_group_id(0), groups = (int)get_num_groups(0);
-    const int end = pelage_share(count, 1, group + 1, groups);
-    for (int place = pelage_share(count, 1, group, groups); place < end; ++place) {
+    const int end = begin + pelage_share(count, 1, group + 1, groups);
+    for (int place = begin + pelage_share(count, 1, group, groups); place < end; ++place) {
         const uint site = places[place];
         const long sum = site == NO_SITE ? 0l : pelage_sum_at(site, charges, sizes, 0, charged, space);
         if (ITEM == 0) sums[place] = sum;

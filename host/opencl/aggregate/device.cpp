@@ -49,7 +49,9 @@ std::string options(std::size_t items, bool sized) {
     return fmt::format("-DPELAGE_ITEMS={} -DPELAGE_SIZES={}", items, sized ? 1 : 0);
 }
 
+// Where a device ends loops silently each group has few places.
 std::size_t groups_of(const Session& session) {
+    if (session.info().software_rasteriser()) return 64;
     const std::size_t units = std::max<std::size_t>(1, session.info().compute_units);
     return session.options().units == 0 ? units : std::min(units, session.options().units);
 }
@@ -143,8 +145,19 @@ void DeviceAggregate::upload(const Front& front, const std::vector<std::int64_t>
     sites_ = session_->buffer(bytes, "sites of an aggregate");
     fill(*session_, sites_, front.sites().data(), bytes);
     if (!sums.empty()) return fill(*session_, sums_, sums.data(), sums.size() * sizeof(cl_long));
-    Arguments(*session_, add_up_).add(places_, sums_, charges_, sizes_, places.size(), charges.size());
-    session_->launch(add_up_, cl::NDRange(groups_ * items_), cl::NDRange(items_));
+    const std::size_t most = places_added_up_at_once(charges.size());
+    for (std::size_t first = 0; first < places.size(); first += most) {
+        const std::size_t count = std::min(most, places.size() - first);
+        Arguments(*session_, add_up_).add(places_, sums_, charges_, sizes_, first, count, charges.size());
+        session_->launch(add_up_, cl::NDRange(groups_ * items_), cl::NDRange(items_));
+    }
+}
+
+// Where a device ends loops silently a launch has fewer of them, each over all charges and once more over the items;
+// what such a device counts as a turn is more than that, by less than 16 times (`aggregates/many`).
+std::size_t DeviceAggregate::places_added_up_at_once(std::size_t charges) const {
+    if (!session_->info().software_rasteriser()) return std::numeric_limits<std::size_t>::max();
+    return groups_ * std::max<std::size_t>(1, turns_a_launch / 16 / (charges / items_ + items_ + 1));
 }
 
 void DeviceAggregate::launch_step(std::size_t step, bool choose) {

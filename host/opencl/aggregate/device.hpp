@@ -17,6 +17,7 @@ public:
     DeviceAggregate(std::shared_ptr<const Session>, bool sized);
 
     void upload(const Front&, const std::vector<std::int64_t>& sums) override;
+    std::size_t places_added_up_at_once(std::size_t charges) const;
     std::size_t particles_at_once(const Front&) const override;
     std::vector<std::uint32_t> grow(const Front&, std::span<const Particle>) override;
     std::vector<std::int64_t> sums(const Front&) const override;
