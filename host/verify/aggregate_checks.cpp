@@ -110,25 +110,9 @@ Outcome check_aggregate(const AggregateCase& one, Place& place) {
         settings.push_back({.guarded = false});
     }
     if (one.large && place.loop_limit() != 0) settings.resize(1);  // one group would go through too many places
-    Outcome outcome;
-    const Experiment experiment = experiment_of(one);
-    const Snapshot initial = initial_state(experiment, Precision::single_);
-    const auto expected = reference_backend(Precision::single_)->make_tissue(experiment, initial);
-    std::vector<std::unique_ptr<Tissue>> found;
-    for (const Setting& setting : settings) found.push_back(place.backend(setting).make_tissue(experiment, initial));
     const bool few = place.small() || (one.large && !place.full());
-    for (const std::uint64_t steps : std::span(stretches).first(few ? stretches_if_small : stretches.size())) {
-        expected->advance(steps);
-        const Snapshot state = expected->read();
-        for (std::size_t i = 0; i < settings.size(); ++i) {
-            found[i]->advance(steps);
-            const std::string where = settings[i].text() + (settings[i].text().empty() ? "" : ", ");
-            add(outcome.tally, state, found[i]->read(), Precision::single_,
-                fmt::format("{}iteration {}", where, state.iteration));
-        }
-    }
-    conclude(outcome);
-    return outcome;
+    return beside_the_reference(place, experiment_of(one), settings,
+                                std::span(stretches).first(few ? stretches_if_small : stretches.size()));
 }
 
 }  // namespace

@@ -2,8 +2,10 @@
 #include "verify/check.hpp"
 
 #include "core/error.hpp"
+#include "core/prepattern.hpp"
 #include "opencl/device/cl_error.hpp"
 #include "opencl/device/subnormal.hpp"
+#include "reference/backend.hpp"
 
 #include <fmt/format.h>
 
@@ -110,6 +112,27 @@ const char* word(Verdict verdict) {
 
 void conclude(Outcome& outcome) {
     if (!outcome.tally.equal()) outcome.verdict = Verdict::failed;
+}
+
+Outcome beside_the_reference(Place& place, const Experiment& experiment, std::span<const Setting> settings,
+                             std::span<const std::uint64_t> stretches) {
+    const Snapshot initial = initial_state(experiment, Precision::single_);
+    const auto expected = reference_backend(Precision::single_)->make_tissue(experiment, initial);
+    std::vector<std::unique_ptr<Tissue>> found;
+    for (const Setting& setting : settings) found.push_back(place.backend(setting).make_tissue(experiment, initial));
+    Outcome outcome;
+    for (const std::uint64_t steps : stretches) {
+        expected->advance(steps);
+        const Snapshot there = expected->read();
+        for (std::size_t i = 0; i < settings.size(); ++i) {
+            found[i]->advance(steps);
+            const std::string where = settings[i].text() + (settings[i].text().empty() ? "" : ", ");
+            add(outcome.tally, there, found[i]->read(), Precision::single_,
+                fmt::format("{}iteration {}", where, there.iteration));
+        }
+    }
+    conclude(outcome);
+    return outcome;
 }
 
 std::vector<std::size_t> telling_counts(const Place& place) {

@@ -11,6 +11,7 @@
 #include <map>
 #include <memory>
 #include <optional>
+#include <span>
 #include <string>
 #include <tuple>
 #include <vector>
@@ -91,6 +92,11 @@ struct Outcome {
 
 // Failed where something differs.
 void conclude(Outcome&);
+
+// The experiment in each of these settings, in single precision, compared with the reference after each stretch of
+// iterations.
+Outcome beside_the_reference(Place&, const Experiment&, std::span<const Setting>,
+                             std::span<const std::uint64_t> stretches);
 
 // Numbers of elements around those at which kernels cut their work.
 std::vector<std::size_t> telling_counts(const Place&);

@@ -1,15 +1,10 @@
 // See check.hpp: whole runs, each made so that something happens in it that few runs have: what is kept from one launch
 // to the next must still be right when it comes.
-#include "core/prepattern.hpp"
 #include "language/parse.hpp"
-#include "reference/backend.hpp"
 #include "verify/check.hpp"
-
-#include <fmt/format.h>
 
 #include <array>
 #include <cstdint>
-#include <memory>
 #include <string>
 #include <vector>
 
@@ -117,30 +112,13 @@ rule always aggregate order potential eta 1 far-field
 
 Outcome check_course(const Course& course, Place& place) {
     if (place.small()) return {Verdict::skipped, {}, "left out with --small", {}};
-    Outcome outcome;
-    const Experiment experiment =
-        parse_experiment(std::string("use seed 7\n") + course.text + "stop at 4000\n", course.name, ".");
-    const Snapshot initial = initial_state(experiment, Precision::single_);
-    const auto expected = reference_backend(Precision::single_)->make_tissue(experiment, initial);
     std::vector<Setting> settings{{.path = course.path}};
     if (place.full()) {
         const Path other = course.path == Path::step ? Path::automatic : Path::step;
         settings.insert(settings.end(), {{.path = other}, {.path = course.path, .guarded = false}});
     }
-    std::vector<std::unique_ptr<Tissue>> found;
-    for (const Setting& setting : settings) found.push_back(place.backend(setting).make_tissue(experiment, initial));
-    for (const std::uint64_t steps : course.stretches) {
-        expected->advance(steps);
-        const Snapshot there = expected->read();
-        for (std::size_t i = 0; i < settings.size(); ++i) {
-            found[i]->advance(steps);
-            const std::string where = settings[i].text() + (settings[i].text().empty() ? "" : ", ");
-            add(outcome.tally, there, found[i]->read(), Precision::single_,
-                fmt::format("{}iteration {}", where, there.iteration));
-        }
-    }
-    conclude(outcome);
-    return outcome;
+    const std::string text = std::string("use seed 7\n") + course.text + "stop at 4000\n";
+    return beside_the_reference(place, parse_experiment(text, course.name, "."), settings, course.stretches);
 }
 
 }  // namespace
