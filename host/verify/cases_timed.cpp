@@ -34,6 +34,7 @@ Experiment keeping(Size size) {
                     "rule always polarize B conc\n"
                     "phase \"second\" 100\nrule always map B conc 0 5 to N 2 1\n"
                     "rule always react A by (0.1 * ramp - 0.02 * A) B by (0.05 * N * drawn - 0.01 * B)\n"
+                    "rule always react B by (0.03 * gradient_x(A) - 0.05 * gradient_y(A))\n"
                     "rule if NEIGHBORS < 8 change B conc (0.02 * AGE)\n"
                     "rule every 3 offset 4294967295 always change A conc 1\n",  // from the phase's begin: never
                     size.columns, size.rows),

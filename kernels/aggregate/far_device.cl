@@ -41,14 +41,15 @@ kernel void pelage_far_replay(FAR_PARAMETERS, global const uint* restrict arrive
 // site; else they become what is known.
 static inline void pelage_look_at(const struct pelage_far far, int number, int show, global uint* shown_sites,
                                   global long* shown, local long* space) {
-    struct pelage_leaf leaf = far.leaves[number];
+    global struct pelage_leaf* const leaf = far.leaves + number;
+    const int candidates = leaf->candidates;
     float values[COEFFICIENTS], columns[PELAGE_LEAF * NODES];
     pelage_at_nodes(far, number, values);
     pelage_at_columns(far, values, columns);
     long lowest = LONG_MAX, highest = NOTHING;
-    int chunk = leaf.chunk, count = pelage_in_first(leaf.candidates);
-    for (int left = leaf.candidates; left > 0; left -= count, count = CHUNK) {
-        if (left < leaf.candidates) chunk = far.next[chunk];
+    int chunk = leaf->chunk, count = pelage_in_first(candidates);
+    for (int left = candidates; left > 0; left -= count, count = CHUNK) {
+        if (left < candidates) chunk = far.next[chunk];
         for (int i = chunk * CHUNK + ITEM; i < chunk * CHUNK + count; i += PELAGE_ITEMS) {
             const long sum = far.near[i] + pelage_far_sum_in(far, columns, far.sites[i]);
             lowest = min(lowest, sum);
@@ -57,9 +58,11 @@ static inline void pelage_look_at(const struct pelage_far far, int number, int s
             (show ? shown : far.known)[i] = sum;
         }
     }
-    leaf.lowest = pelage_least(lowest, space);
-    leaf.highest = pelage_most(highest, space);
-    if (ITEM == 0 && !show) far.leaves[number] = leaf;
+    lowest = pelage_least(lowest, space);
+    highest = pelage_most(highest, space);
+    if (ITEM != 0 || show) return;
+    leaf->lowest = lowest;  // no other item reads these two
+    leaf->highest = highest;
 }
 
 kernel void pelage_far_look(FAR_PARAMETERS, const int show, global uint* shown_sites, global long* shown) {
