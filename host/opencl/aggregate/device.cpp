@@ -43,8 +43,6 @@ std::string source() {
         .str();
 }
 
-constexpr std::size_t turns_a_launch = 50'000;  // of loops, where a device ends them silently after 65,535
-
 std::string options(std::size_t items, bool sized) {
     return fmt::format("-DPELAGE_ITEMS={} -DPELAGE_SIZES={}", items, sized ? 1 : 0);
 }
@@ -60,7 +58,7 @@ std::size_t groups_of(const Session& session) {
 std::size_t places_of_one_group(const Session& session) {
     if (session.options().path == Path::step) return 0;
     if (session.options().path != Path::automatic) return std::numeric_limits<std::size_t>::max();
-    if (session.info().software_rasteriser()) return turns_a_launch / 16;
+    if (session.info().software_rasteriser()) return DeviceInfo::rasteriser_turns / 16;
     return session.info().processor() ? 40'000 : 8'000;
 }
 
@@ -157,7 +155,7 @@ void DeviceAggregate::upload(const Front& front, const std::vector<std::int64_t>
 // what such a device counts as a turn is more than that, by less than 16 times (`aggregates/many`).
 std::size_t DeviceAggregate::places_added_up_at_once(std::size_t charges) const {
     if (!session_->info().software_rasteriser()) return std::numeric_limits<std::size_t>::max();
-    return groups_ * std::max<std::size_t>(1, turns_a_launch / 16 / (charges / items_ + items_ + 1));
+    return groups_ * std::max<std::size_t>(1, DeviceInfo::rasteriser_turns / 16 / (charges / items_ + items_ + 1));
 }
 
 void DeviceAggregate::launch_step(std::size_t step, bool choose) {
@@ -169,13 +167,13 @@ void DeviceAggregate::launch_step(std::size_t step, bool choose) {
     if (choose) session_->launch(choose_, cl::NDRange(items_), cl::NDRange(items_));
 }
 
-// Where a device ends loops silently after 65,535 turns a launch has fewer. A particle's are some eight over the
-// candidates and two over the charges for each new candidate.
+// Where a device ends loops silently a launch has few turns. A particle's are some eight over the candidates and two
+// over the charges for each new candidate.
 std::size_t DeviceAggregate::particles_at_once(const Front& front) const {
     if (!session_->info().software_rasteriser()) return most_particles_at_once;
     const std::size_t places = front.places().size() / items_ + 1, charges = front.charges().size() / items_ + 1;
     const std::size_t turns = 8 * (places + block) + 2 * most_new_candidates * charges;
-    return std::clamp<std::size_t>(turns_a_launch / turns, 1, most_particles_at_once);
+    return std::clamp<std::size_t>(DeviceInfo::rasteriser_turns / turns, 1, most_particles_at_once);
 }
 
 std::vector<std::uint32_t> DeviceAggregate::grow(const Front& front, std::span<const Particle> particles) {

@@ -14,7 +14,6 @@ namespace {
 constexpr std::size_t most_strays = 64;                         // PELAGE_MOST_STRAYS
 constexpr std::size_t most_chunks = 64;                         // PELAGE_MOST_CHUNKS
 constexpr std::size_t updates_a_launch = std::size_t{1} << 22;  // of cells: some tenths of a second
-constexpr std::size_t turns_a_launch = 50'000;  // of loops, where a device ends them silently after 65,535
 
 }  // namespace
 
@@ -46,7 +45,7 @@ std::size_t CellsTogether::longest_launch(std::size_t width, const CellsState& s
     const std::size_t each = (cells + group() * width - 1) / (group() * width);
     const auto capacity = static_cast<std::size_t>(lists.lists().capacity);
     const std::size_t turns = each * (capacity + most_strays + width * (cells / width + 16 * capacity));
-    return std::max<std::size_t>(1, turns_a_launch / turns);
+    return std::max<std::size_t>(1, DeviceInfo::rasteriser_turns / turns);
 }
 
 CellsTogether::Way CellsTogether::run(CellsStep& step, const cl::Buffer& parameters, std::size_t width,

@@ -34,6 +34,9 @@ struct DeviceInfo {
 
     // Draws by CPU behind a GPU driver's interface (llvmpipe, Clover): the last resort.
     bool software_rasteriser() const;
+    // Turns of all its loops that an item of a launch may take there, with some to spare: llvmpipe ends it silently
+    // after 65,535.
+    static constexpr std::size_t rasteriser_turns = 50'000;
 
     // A CPU proper: it runs the work-items of a group one after the other, in vectors.
     bool processor() const { return type == "cpu" && !software_rasteriser(); }

@@ -17,9 +17,6 @@ constexpr std::size_t cells_a_stretch = 4'000'000;
 // Scratch and carried rows of a group should stay in its core's second-level cache.
 constexpr std::size_t scratch_bytes = 512 * 1024;
 
-// rusticl on llvmpipe ends a work-item silently after 65,535 turns of all its loops.
-constexpr std::size_t turns_a_stretch = 60'000;
-
 // Turns of all loops that a work-item takes in one pass of kernels/lattice/stream.cl, no fewer.
 std::size_t turns_of_pass(const FusedShape& shape, const FusedLaunch& launch) {
     const std::size_t vectors = divided(launch.vectors, shape.group);
@@ -133,7 +130,7 @@ FusedLaunch stream_launch(const DeviceInfo& device, const Grid& grid, const Fuse
     launch.strip = divided(grid.rows, launch.strips);
     launch.strips = divided(grid.rows, launch.strip);
     const bool ends_loops = device.software_rasteriser();
-    while (ends_loops && launch.strip > 1 && turns_of_pass(shape, launch) > turns_a_stretch) {
+    while (ends_loops && launch.strip > 1 && turns_of_pass(shape, launch) > DeviceInfo::rasteriser_turns) {
         launch.strip = divided(launch.strip, 2);
         launch.strips = divided(grid.rows, launch.strip);
     }
@@ -146,7 +143,8 @@ FusedLaunch stream_launch(const DeviceInfo& device, const Grid& grid, const Fuse
     launch.together = shape.together && launch.bands == 1 && launch.strips > 1;
     if (launch.together || launch.bands * launch.strips == 1) {
         std::size_t most = std::max<std::size_t>(1, cells_a_stretch / (grid.cells() * launch.steps));
-        if (ends_loops) most = std::clamp<std::size_t>(turns_a_stretch / turns_of_pass(shape, launch), 1, most);
+        if (ends_loops)
+            most = std::clamp<std::size_t>(DeviceInfo::rasteriser_turns / turns_of_pass(shape, launch), 1, most);
         launch.passes = std::min<std::uint64_t>(most, count / launch.steps);
     }
     return launch;
