@@ -4,6 +4,7 @@
 #include "core/snapshot.hpp"
 
 #include <cstdint>
+#include <string_view>
 #include <type_traits>
 #include <utility>
 #include <vector>
@@ -14,7 +15,8 @@ using ColumnList = std::vector<std::vector<double>>;                      // [ch
 using PairColumn = std::vector<std::pair<std::uint32_t, std::uint32_t>>;  // of cells; not one entry a cell
 
 // Calls visit(NAME, column...) for each column, with that of each of the states, which are snapshots. A column is a
-// ColumnList, a PairColumn, or a std::vector with one value a cell. The order is that of a checkpoint file.
+// ColumnList, a PairColumn, or a std::vector with one value a cell; `order` is one, with no value for the cells that
+// are not in it. They come as in a checkpoint file.
 template <class Visit, class... States>
 void each_column(Visit&& visit, States&... states) {
     visit("x", states.x...);
@@ -28,6 +30,7 @@ void each_column(Visit&& visit, States&... states) {
     visit("neighbours", states.neighbours...);
     visit("fixed", states.fixed...);
     visit("mirrors", states.mirrors...);
+    visit("order", states.order...);
 }
 
 // The same for the columns with one value a cell alone, those of a ColumnList one by one.
@@ -38,7 +41,7 @@ void each_cell_column(Visit&& visit, State& state) {
             if constexpr (std::is_same_v<std::remove_const_t<Column>, ColumnList>) {
                 for (auto& one : column) visit(name, one);
             } else if constexpr (!std::is_same_v<std::remove_const_t<Column>, PairColumn>) {
-                visit(name, column);
+                if (std::string_view(name) != "order") visit(name, column);
             }
         },
         state);

@@ -29,6 +29,10 @@ struct Snapshot {
     std::vector<std::uint8_t> fixed;
     std::vector<std::pair<std::uint32_t, std::uint32_t>> mirrors;  // ids of mirror pairs
 
+    // What spatial sorting goes on from: the ids in its matrix, row after row, as it was last sorted. Cells that were
+    // born since are not in it. Empty with every other search, and where nothing has been sorted yet.
+    std::vector<std::uint32_t> order;
+
     bool lattice() const { return columns != 0 && layers == 0; }
     bool volume() const { return layers != 0; }
     bool on_grid() const { return columns != 0; }  // cells in columns and rows: a lattice or a volume

@@ -31,6 +31,18 @@ void check_shape(const Experiment& experiment, const Snapshot& snapshot) {
     if (cells == 0) throw Error("the state has no cells");
 }
 
+// Of n cells each has its place: the first ones are all in it, and none of them twice.
+void check_order(const Snapshot& snapshot) {
+    std::vector<bool> found(snapshot.order.size());
+    for (const std::uint32_t cell : snapshot.order) {
+        const std::size_t most = std::min(found.size(), snapshot.cells());
+        if (cell >= most || found[cell])
+            throw Error(fmt::format("the state's order has cell {} {}; it has cells 0 to {}, each once", cell,
+                                    cell >= most ? "in it" : "twice", most - 1));
+        found[cell] = true;
+    }
+}
+
 // What no run can come to, and what kernels could not count or find.
 void check_values(const Experiment& experiment, const Snapshot& snapshot) {
     if (snapshot.iteration > largest_iteration) {
@@ -48,6 +60,7 @@ void check_values(const Experiment& experiment, const Snapshot& snapshot) {
                                     second, snapshot.cells() - 1));
         }
     }
+    check_order(snapshot);
     for (std::size_t chemical = 0; snapshot.on_grid() && chemical < snapshot.diff.size(); ++chemical) {
         const auto& rates = snapshot.diff[chemical];
         const auto wrong = std::ranges::find_if(rates, [](double rate) { return rate < 0.0; });

@@ -6,9 +6,10 @@
 //   or 8),
 //             seed (int64); iteration, columns, rows (uint64; a volume's layers in its upper half), origin_x, origin_y
 //             (double); x, y (arrays); conc, diff, mappings (uint64 number, then arrays); polarity_x, polarity_y
-//             (arrays of double), birth (uint32), neighbours (int32), fixed (uint8), mirrors (uint32, two a pair). An
-//             array: uint64 count, uint8 1 when all elements have the same bits and only one follows, else 0; x and y
-//             are always written out: their length bounds what a short file can ask for.
+//             (arrays of double), birth (uint32), neighbours (int32), fixed (uint8), mirrors (uint32, two a pair);
+//             in format 2, that of states with one, the order of spatial sorting (uint32). An array: uint64 count,
+//             uint8 1 when all elements have the same bits and only one follows, else 0; x and y are always written
+//             out: their length bounds what a short file can ask for.
 //   uint64    Checksum of the payload
 #pragma once
 
@@ -21,7 +22,7 @@
 namespace pelage::checkpoint_format {
 
 inline constexpr std::string_view magic = "PELAGE\r\n";  // spoilt by transfers that mend line ends
-inline constexpr std::uint32_t version = 1;
+inline constexpr std::uint32_t version = 2;              // 1 where the state has no order
 inline constexpr unsigned layers_shift = 32;
 inline constexpr std::size_t size_place = 12;
 inline constexpr std::size_t payload_place = 20;

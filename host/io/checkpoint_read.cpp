@@ -44,6 +44,7 @@ public:
 
     template <class T>
     void column(std::string_view name, std::vector<T>& values) {
+        if (name == "order" && rest_.empty()) return;
         const auto length = count();
         std::uint8_t repeated = 0;
         number(repeated);
@@ -105,8 +106,8 @@ std::string_view checked_payload(std::string_view bytes, const std::string& name
         throw Error(fmt::format("'{}' is a truncated checkpoint: it has only {}", name, counted(bytes.size(), "byte")));
     }
     const auto version = load<std::uint32_t>(bytes.data() + format::magic.size());
-    if (version != format::version) {
-        throw Error(fmt::format("'{}' is a checkpoint of format {}; this program knows format {}", name, version,
+    if (version == 0 || version > format::version) {
+        throw Error(fmt::format("'{}' is a checkpoint of format {}; this program knows formats 1 to {}", name, version,
                                 format::version));
     }
     const auto size = load<std::uint64_t>(bytes.data() + format::size_place);

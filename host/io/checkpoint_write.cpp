@@ -37,6 +37,7 @@ public:
 
     template <class T>
     void column(std::string_view name, const std::vector<T>& values) {
+        if (name == "order" && values.empty()) return;
         array(values, !checkpoint_format::place(name) && same_bits(values));
     }
     void column(std::string_view name, const ColumnList& list) {
@@ -79,7 +80,8 @@ void write_checkpoint(const std::filesystem::path& path, const Snapshot& snapsho
     static_assert(sizeof(std::size_t) == 8);
     AtomicFile file(path);
     file.write(format::magic);
-    file.write(&format::version, sizeof format::version);
+    const std::uint32_t version = snapshot.order.empty() ? 1 : format::version;
+    file.write(&version, sizeof version);
     std::uint64_t size = 0;
     file.write(&size, sizeof size);
     CheckpointWriter writer(file);

@@ -40,16 +40,16 @@ private:
         return is("where", "grains") ? " where (RANDOM < 0.85 or " + seed() + ")" : "";
     }
 
-    // Where charges are at the start, never in a wall.
+    // Where charges are at the start, never in a wall: a few, or lines of more than a device takes at once.
     std::string seed() const {
         if (is("seeds", "few")) return "mod(COLUMN, 9) == 3 and mod(ROW, 11) == 2";
-        return "mod(COLUMN, 9) != 8 and ROW == floor(ROWS / 3)";
+        return "mod(COLUMN, 9) != 8 and mod(ROW, 24) == 1";
     }
 
     std::string seeds() const {
         std::string text = fmt::format("set cells where ({}) chemical order conc (1 + mod(COLUMN + ROW, 3))", seed());
         if (is("family", "given")) text += " chemical family conc (mod(COLUMN, 4))";
-        if (is("charges", "number")) text += " chemical mass conc (0.25 * mod(COLUMN, 3))";
+        if (!is("charges", "alike")) text += " chemical mass conc (0.25 * mod(COLUMN, 3))";
         return text + "\n";
     }
 

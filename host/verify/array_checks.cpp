@@ -29,8 +29,8 @@ std::size_t several(const Place& place) {
 void set_small_cut(Setting& setting, Realm realm) {
     const bool tiled = setting.path == Path::tiled, volume = realm == Realm::volume;
     setting.columns = volume ? 0 : tiled ? 12 : 32;
-    setting.rows = volume ? 7 : tiled ? 5 : 2;
-    setting.depth = 3;
+    setting.rows = volume ? 1 : tiled ? 5 : 2;  // of a volume's strips: as few as they may have
+    setting.depth = volume ? 5 : 3;
 }
 
 Setting setting_of(const GeneratedWorld& made, Realm realm, const Place& place) {
@@ -104,8 +104,20 @@ private:
             if (blame_.empty() && rounds_exactly(place_, setting_))
                 blame_ = blame({experiment, text, state, states.back().iteration - state.iteration}, place_, setting_);
         }
+        if (!place_.small()) take_up_again(experiment, states, one.size.text());
         if (states.back().conc != state.conc) changed_ = true;
         if (!rounds_exactly(place_, setting_)) one_by_one(experiment, states);
+    }
+
+    // As a run that was stopped half-way, and then without a stop.
+    void take_up_again(const Experiment& experiment, const std::vector<Snapshot>& states, const std::string& size) {
+        if (!outcome_.tally.equal()) return;
+        const Snapshot& stopped = states[states.size() / 2];
+        const std::uint64_t begun = stopped.iteration - states.front().iteration;
+        const auto found = place_.backend(setting_).make_tissue(experiment, stopped);
+        found->advance(states.back().iteration - stopped.iteration);
+        add(outcome_.tally, states.back(), found->read(), setting_.precision,
+            fmt::format("{}, taken up again {} iterations after the start", size, begun));
     }
 
     void note_difference(const std::string& text, const Snapshot& expected, const Snapshot& found,

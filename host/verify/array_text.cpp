@@ -71,7 +71,7 @@ private:
         if (case_.realm != Realm::cells) return;
         if (world_["limit"] != "none") line("define division_limit " + world_["limit"]);
         if (world_["domain"] == "narrow") line("define domain 15 11");
-        if (world_["domain"] == "packed") line("define domain packed area 3");
+        if (world_["domain"] == "packed") line("define domain packed area 3.2");
     }
 
     void fields() {

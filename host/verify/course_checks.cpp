@@ -19,9 +19,19 @@ struct Course {
     Path path;
     bool quick;
     const char* text;
+    const char* space = "";     // the last line of the text
+    std::size_t variants = 16;  // programs for sets of rules that act together, before one tests them all
 };
 
-constexpr std::array<Course, 7> all_courses{{
+// At first all of them act.
+constexpr const char* rules_in_turn = R"(
+define chemical A floor none
+use chemical A conc 1 dev 0.5 diff 0.1
+rule every 2 always change A conc 0.125
+rule every 3 always change A conc (0.1 * A)
+)";
+
+constexpr std::array<Course, 11> all_courses{{
     // Cells are born while others press against the edge of their domain.
     {"courses/packed-births", "division", {200, 20}, Path::shared, true, R"(
 define chemical A
@@ -41,6 +51,13 @@ rule every 2 always change A conc 0.01
 rule from 57 always change A conc (0.1 * A)
 rule from 64 until 101 always change B conc (0.1 * B)
 rule from 133 always change B conc -0.5
+)"},
+    // A rule ends soon after the device was asked, which a while ago was not so soon.
+    {"courses/far-end", "cell step", {40, 40}, Path::shared, true, R"(
+define chemical A floor none
+use chemical A conc 1 dev 0.5 diff 0.1
+create hex_circle 3
+rule until 60 always change A conc 0.01
 )"},
     // Two come near who were not in each other's lists, none of them far from where it was; at many distances.
     {"courses/head-on", "neighbour search", {60, 60}, Path::shared, true, R"(
@@ -93,6 +110,10 @@ rule until 10 always change A conc (0.1 * F)
 rule from 5 always change A conc (0.1 * H)
 rule until 15 always change A conc (0.1 * G)
 )"},
+    // First all rules act, then some, and there is one program for all that come after the first ones.
+    {"courses/mesh-sets", "mesh step", {20, 5}, Path::step, true, rules_in_turn, "create icosphere 2", 1},
+    {"courses/lattice-sets", "single steps", {20, 5}, Path::step, true, rules_in_turn, "create matrix 20 15", 1},
+    {"courses/volume-sets", "volumes", {20, 5}, Path::step, true, rules_in_turn, "create volume 8 7 5", 1},
     // Buffers grow again and again.
     {"courses/candidates", "aggregates", {1300, 1700}, Path::step, true, R"(
 define chemical order
@@ -112,12 +133,12 @@ rule always aggregate order potential eta 1 far-field
 
 Outcome check_course(const Course& course, Place& place) {
     if (place.small()) return {Verdict::skipped, {}, "left out with --small", {}};
-    std::vector<Setting> settings{{.path = course.path}};
+    std::vector<Setting> settings{{.path = course.path, .variants = course.variants}};
     if (place.full()) {
         const Path other = course.path == Path::step ? Path::automatic : Path::step;
         settings.insert(settings.end(), {{.path = other}, {.path = course.path, .guarded = false}});
     }
-    const std::string text = std::string("use seed 7\n") + course.text + "stop at 4000\n";
+    const std::string text = std::string("use seed 7\n") + course.text + course.space + "\nstop at 4000\n";
     return beside_the_reference(place, parse_experiment(text, course.name, "."), settings, course.stretches);
 }
 

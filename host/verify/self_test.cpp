@@ -161,6 +161,7 @@ Snapshot small_piece(const Snapshot& whole) {
     piece.layers = std::min(whole.layers, most_layers);
     const std::vector<std::size_t> cells = chosen(whole, piece);
     each_cell_column([&](const char*, auto& column) { column = picked(column, cells); }, piece);
+    piece.order.clear();
     std::erase_if(piece.mirrors,
                   [&](const auto& pair) { return pair.first >= cells.size() || pair.second >= cells.size(); });
     for (std::size_t cell = 0; piece.on_grid() && cell < cells.size(); ++cell) {

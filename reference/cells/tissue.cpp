@@ -54,7 +54,11 @@ private:
     void do_set_rate(std::size_t chemical, double rate) override {
         std::ranges::fill(old_.diff[chemical], in_precision<T>(rate));
     }
-    Snapshot do_read() const override { return snapshot_from(old_); }
+    Snapshot do_read() const override {
+        Snapshot snapshot = snapshot_from(old_);
+        if (search_ == NeighbourSearch::spatial_sorting) snapshot.order = matrix_.order();
+        return snapshot;
+    }
     void do_write(const Snapshot& snapshot) override { take(snapshot); }
     std::optional<NonFinite> do_non_finite() const override { return first_non_finite(old_.conc); }
 
@@ -78,7 +82,7 @@ template <class T>
 void Cells<T>::take(const Snapshot& snapshot) {
     old_ = state_from<T>(snapshot);
     lists_.forget();
-    matrix_.forget();
+    matrix_.begin(search_ == NeighbourSearch::spatial_sorting ? snapshot.order : std::vector<std::uint32_t>{});
     interaction_.exact = search_ != NeighbourSearch::spatial_sorting;
     interaction_.diffuses.clear();
     interaction_.anisotropic.clear();

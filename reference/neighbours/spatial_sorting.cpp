@@ -34,6 +34,13 @@ template <class T>
 SortedMatrix<T>::SortedMatrix(SpatialSorting settings) : reach_(reach_of(settings.window)), rounds_(settings.rounds) {}
 
 template <class T>
+void SortedMatrix<T>::begin(std::span<const std::uint32_t> order) {
+    places_.clear();
+    for (const std::uint32_t id : order) places_.push_back({T(0), T(0), id});
+    cells_ = order.size();
+}
+
+template <class T>
 void SortedMatrix<T>::update(std::span<const T> x, std::span<const T> y) {
     if (places_.empty() || x.size() < cells_) {
         cells_ = 0;

@@ -15,7 +15,7 @@ public:
 
     // Takes new positions (cells are only ever added, with ids above all others) and sorts.
     void update(std::span<const T> x, std::span<const T> y);
-    void forget() { places_.clear(); }  // the next update starts in order of id
+    void begin(std::span<const std::uint32_t> order);  // the next update goes on from it; empty: from that of ids
 
     Neighbours neighbours() const;        // of the latest update, by cell id
     SearchStatistics statistics() const;  // of neighbours() against the exact sets

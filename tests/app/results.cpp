@@ -326,6 +326,23 @@ TEST_CASE("a resumed run needs no start picture, and remembers which one it was"
     }
 }
 
+TEST_CASE("a run with spatial sorting is resumed in the order that it had") {
+    const Folder folder;
+    const std::string file = folder.write("cells.pex",
+                                          "use seed 3\ndefine chemical A\nuse chemical A conc 1 dev 0.5 diff 0.1\n"
+                                          "create hex_circle 8\nrule probability 0.01 divide direction 0 dev 180\n"
+                                          "stop at 60\n");
+    const std::vector<std::string> words{"--format", "npy", "--neighbours", "spatial-sorting", "--checkpoint-every"};
+    std::vector<std::string> whole = words, resumed = words;
+    whole.emplace_back("25");
+    resumed.insert(resumed.end(), {"25", "--resume", folder / "whole" / "checkpoint.pelage"});
+    REQUIRE(run_reference(file, folder / "whole", whole).exit_code == 0);
+
+    REQUIRE(run_reference(file, folder / "resumed", resumed).exit_code == 0);
+
+    CHECK(read_all(folder / "resumed" / "final.A.npy") == read_all(folder / "whole" / "final.A.npy"));
+}
+
 TEST_CASE("a run with a network is resumed with that network alone") {
     const Folder folder;
     const std::string network = read_all(PELAGE_SOURCE "/experiments/neural/tiny.npz");

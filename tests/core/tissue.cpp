@@ -115,6 +115,13 @@ TEST_CASE("a state that no run can come to is refused") {
     CHECK_THAT(refused([](Snapshot& s) { s.iteration = largest_iteration + 1; }), Contains("cannot pass 4294967295"));
     CHECK_THAT(refused([](Snapshot& s) { s.birth[4] = 1; }), Contains("cell 4") && Contains("born at iteration 1"));
     CHECK_THAT(refused([](Snapshot& s) { s.mirrors = {{0, 6}}; }), Contains("cells 0 and 6; cells 0 to 5 exist"));
+    CHECK(refused([](Snapshot& s) { s.order = {1, 2, 0}; }) == "(none)");
+    CHECK_THAT(refused([](Snapshot& s) {
+                   s.order = {0, 2};
+               }),
+               Contains("cell 2 in it; it has cells 0 to 1, each once"));
+    CHECK_THAT(refused([](Snapshot& s) { s.order = {0, 0}; }), Contains("cell 0 twice"));
+    CHECK_THAT(refused([](Snapshot& s) { s.order = {0, 1, 2, 3, 4, 5, 6}; }), Contains("it has cells 0 to 5"));
     CHECK_THAT(refused([](Snapshot& s) { s.diff[1][3] = -0.01; }), Contains("rate -0.01 of 'V' in cell 3"));
 }
 

@@ -31,6 +31,7 @@ Snapshot awkward() {
     state.birth = {1, 0, std::numeric_limits<std::uint32_t>::max()};
     state.fixed = {0, 1, 0};
     state.mirrors = {{0, 2}, {1, 1}};
+    state.order = {1, 0};
     return state;
 }
 
@@ -49,7 +50,7 @@ bool same_bits(const Snapshot& a, const Snapshot& b) {
            all(a.diff, b.diff) && all(a.mappings, b.mappings) && same_bits(a.x, b.x) && same_bits(a.y, b.y) &&
            same_bits(a.polarity_x, b.polarity_x) && same_bits(a.polarity_y, b.polarity_y) &&
            same_bits(a.birth, b.birth) && same_bits(a.neighbours, b.neighbours) && same_bits(a.fixed, b.fixed) &&
-           a.mirrors == b.mirrors;
+           a.mirrors == b.mirrors && a.order == b.order;
 }
 
 std::string bytes_of(const Snapshot& state) {
@@ -119,7 +120,7 @@ TEST_CASE("errors of checkpoints say what is wrong") {
 
     CHECK_THAT(checkpoint_problem("\x89PNG\r\n"), Contains("'a.pelage' is not a checkpoint"));
     CHECK_THAT(checkpoint_problem(""), Contains("is not a checkpoint"));
-    CHECK_THAT(checkpoint_problem(newer), Contains("format 9") && Contains("format 1"));
+    CHECK_THAT(checkpoint_problem(newer), Contains("format 9") && Contains("formats 1 to 2"));
     CHECK_THAT(checkpoint_problem(whole.substr(0, whole.size() - 1)), Contains("truncated") && Contains("should have"));
     CHECK_THAT(checkpoint_problem(whole.substr(0, 12)), Contains("truncated"));
     CHECK_THAT(checkpoint_problem(whole + "x"), Contains("corrupted"));

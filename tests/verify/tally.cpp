@@ -80,8 +80,8 @@ TEST_CASE("every array is looked at") {
         [](Snapshot& s) { s.polarity_x[5] += 1; }, [](Snapshot& s) { s.polarity_y[5] += 1; },
         [](Snapshot& s) { s.birth[5] += 1; }, [](Snapshot& s) { s.neighbours[5] += 1; },
         [](Snapshot& s) { s.fixed[5] = 1; }, [](Snapshot& s) { s.mirrors.emplace_back(1, 2); },
-        [](Snapshot& s) { s.iteration = 4; }, [](Snapshot& s) { s.rows = 24; }, [](Snapshot& s) { s.conc.pop_back(); },
-        [](Snapshot& s) { s.y.pop_back(); });
+        [](Snapshot& s) { s.order = {0}; }, [](Snapshot& s) { s.iteration = 4; }, [](Snapshot& s) { s.rows = 24; },
+        [](Snapshot& s) { s.conc.pop_back(); }, [](Snapshot& s) { s.y.pop_back(); });
     Snapshot found = expected;
 
     change(found);

@@ -26,8 +26,14 @@ CellsLists::CellsLists(const Session& session, const CellsOptions& options, cons
     if (options.approximate()) matrix_.emplace(session, options.sorting);
 }
 
-void CellsLists::forget() {
-    if (matrix_) matrix_->forget();
+void CellsLists::begin(const std::vector<cl_uint>& order) {
+    if (matrix_) matrix_->begin(order);
+}
+
+std::vector<cl_uint> CellsLists::order() const {
+    if (!matrix_) return {};
+    const std::vector<cl_int> cells = matrix_->order();
+    return {cells.begin(), cells.end()};
 }
 
 // Wider than rounding can make a distance look shorter than it is.

@@ -22,7 +22,8 @@ public:
     // Makes room for the longest list and finds all again. False when there was room for it.
     bool lengthen(const CellsState&);
 
-    void forget();  // the state is another one
+    void begin(const std::vector<cl_uint>& order);  // what spatial sorting goes on from: see Snapshot
+    std::vector<cl_uint> order() const;
 
     const DeviceLists& lists() const { return lists_; }
     double longest_way() const;  // squared; lists hold while no cell moves farther

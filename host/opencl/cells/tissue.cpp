@@ -125,7 +125,7 @@ void OpenclCells::take(const Snapshot& snapshot) {
     mirrors_.take(snapshot.mirrors);
     CellsPlan plan = cells_plan(experiment(), snapshot, options_.approximate());
     if (!programs_ || programs_->plan() != plan) programs_.emplace(*session_, experiment(), std::move(plan));
-    lists_.forget();
+    lists_.begin(snapshot.order);
     fresh_ = false;
     batch_ = 1;
 }
@@ -134,6 +134,7 @@ Snapshot OpenclCells::do_read() const {
     return with_device(session_->info().name, [&] {
         Snapshot snapshot = state_.download();
         snapshot.mirrors = mirrors_.pairs();
+        snapshot.order = lists_.order();
         return snapshot;
     });
 }

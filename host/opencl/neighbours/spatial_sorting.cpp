@@ -54,21 +54,31 @@ DeviceMatrix::DeviceMatrix(const Session& session, SpatialSorting settings)
     moved_ = session.buffer(rounds_at_once * sizeof(cl_int), "marks of a sort that goes on");
 }
 
+void DeviceMatrix::begin(const std::vector<cl_uint>& order) {
+    cells_ = static_cast<int>(order.size());
+    if (order.empty()) return;
+    reserve(cells_, 0);
+    session_.queue().enqueueWriteBuffer(cell_, CL_TRUE, 0, order.size() * sizeof(cl_uint), order.data());
+}
+
+void DeviceMatrix::reserve(int places, int placed) {
+    if (static_cast<std::size_t>(places) <= capacity_) return;
+    const std::size_t room = static_cast<std::size_t>(places) * 5 / 4;
+    cl::Buffer larger = session_.buffer(room * sizeof(cl_int), "sorted cells");
+    if (placed > 0) {
+        session_.queue().enqueueCopyBuffer(cell_, larger, 0, 0, static_cast<std::size_t>(placed) * sizeof(cl_int));
+    }
+    cell_ = std::move(larger);
+    x_ = session_.buffer(room * session_.scalar_bytes(), "sorted positions");
+    y_ = session_.buffer(room * session_.scalar_bytes(), "sorted positions");
+    capacity_ = room;
+}
+
 void DeviceMatrix::update(const cl::Buffer& positions, int pitch, int cells) {
     const int placed = cells < cells_ ? 0 : cells_;
     side_ = side_for(cells);
     const int places = side_ * side_;
-    if (static_cast<std::size_t>(places) > capacity_) {
-        const std::size_t room = static_cast<std::size_t>(places) * 5 / 4;
-        cl::Buffer larger = session_.buffer(room * sizeof(cl_int), "sorted cells");
-        if (placed > 0) {
-            session_.queue().enqueueCopyBuffer(cell_, larger, 0, 0, static_cast<std::size_t>(placed) * sizeof(cl_int));
-        }
-        cell_ = std::move(larger);
-        x_ = session_.buffer(room * session_.scalar_bytes(), "sorted positions");
-        y_ = session_.buffer(room * session_.scalar_bytes(), "sorted positions");
-        capacity_ = room;
-    }
+    reserve(places, placed);
     cells_ = cells;
     Arguments(session_, load_).add(positions, pitch, placed, cells, places, x_, y_, cell_);
     launch(session_, load_, static_cast<std::size_t>(places), group);

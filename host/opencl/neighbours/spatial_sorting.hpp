@@ -17,7 +17,7 @@ public:
     // Takes new positions, in order of id (cells are only ever added), and sorts. positions: a plane of x, then one
     // of y, each `pitch` long.
     void update(const cl::Buffer& positions, int pitch, int cells);
-    void forget() { cells_ = 0; }  // the next update starts in order of id
+    void begin(const std::vector<cl_uint>& order);  // the next update goes on from it; empty: from that of ids
 
     // The lists of the latest update, by cell id. ids[i] == i. `longest` is not reset.
     void find(const cl::Buffer& ids, DeviceLists& lists);
@@ -29,6 +29,7 @@ public:
     std::vector<cl_int> order() const;  // cell ids, row after row
 
 private:
+    void reserve(int places, int placed);  // and keeps the first `placed` ids
     bool sort_rounds(std::size_t rounds);
     Neighbours exact_sets() const;
 
