@@ -19,7 +19,7 @@ public:
         std::string text = "define time_step 0.05\n";
         for (const char* const name : {"order", "phi", "family", "mass"})
             text += fmt::format("define chemical {}\n", name);
-        text += fmt::format("use seed 7\ncreate charges {} {}{}{}\n", size_.columns, size_.rows, at(), where());
+        text += fmt::format("use seed -987654321987654321\ncreate charges {} {}{}{}\n", size_.columns, size_.rows, at(), where());
         text += seeds();
         text += is("when", "every") ? "rule every 2 offset 1 always " : "rule always ";
         text += action(eta()) + "\n";
@@ -40,16 +40,18 @@ private:
         return is("where", "grains") ? " where (RANDOM < 0.85 or " + seed() + ")" : "";
     }
 
-    // Where charges are at the start, never in a wall: a few, or lines of more than a device takes at once.
+    // Where charges are at the start, never in a wall: a few, or lines of more than a device takes at once, and some
+    // more than there were when bounds were made anew.
     std::string seed() const {
         if (is("seeds", "few")) return "mod(COLUMN, 9) == 3 and mod(ROW, 11) == 2";
-        return "mod(COLUMN, 9) != 8 and mod(ROW, 24) == 1";
+        return "mod(COLUMN, 9) != 8 and COLUMN != 0 and mod(ROW, 24) == 1";
     }
 
+    // Sizes come again neither with the lines nor with a device's groups of charges.
     std::string seeds() const {
         std::string text = fmt::format("set cells where ({}) chemical order conc (1 + mod(COLUMN + ROW, 3))", seed());
         if (is("family", "given")) text += " chemical family conc (mod(COLUMN, 4))";
-        if (!is("charges", "alike")) text += " chemical mass conc (0.25 * mod(COLUMN, 3))";
+        if (!is("charges", "alike")) text += " chemical mass conc (0.125 * mod(COLUMN + 3 * ROW, 7))";
         return text + "\n";
     }
 

@@ -19,6 +19,7 @@ namespace {
 constexpr std::size_t pairs = 2;
 constexpr std::size_t triples = 3;
 constexpr std::size_t strides_if_small = 2;
+constexpr std::size_t most_taken_up = 10'000;  // cells of a state that is taken up again: of more, it takes too long
 
 std::size_t several(const Place& place) {
     // CPUs run one work-item a group, other devices 64 at most.
@@ -104,15 +105,16 @@ private:
             if (blame_.empty() && rounds_exactly(place_, setting_))
                 blame_ = blame({experiment, text, state, states.back().iteration - state.iteration}, place_, setting_);
         }
-        if (!place_.small()) take_up_again(experiment, states, one.size.text());
+        const bool last = one.size == generated_sizes(made_, realm_).back();
+        if (last && !place_.small() && state.cells() <= most_taken_up) take_up_again(experiment, states, one.size.text());
         if (states.back().conc != state.conc) changed_ = true;
         if (!rounds_exactly(place_, setting_)) one_by_one(experiment, states);
     }
 
-    // As a run that was stopped half-way, and then without a stop.
+    // As a run that was stopped after its second stride, and then without a stop. Later ones would need more programs.
     void take_up_again(const Experiment& experiment, const std::vector<Snapshot>& states, const std::string& size) {
         if (!outcome_.tally.equal()) return;
-        const Snapshot& stopped = states[states.size() / 2];
+        const Snapshot& stopped = states[std::min<std::size_t>(2, states.size() - 2)];
         const std::uint64_t begun = stopped.iteration - states.front().iteration;
         const auto found = place_.backend(setting_).make_tissue(experiment, stopped);
         found->advance(states.back().iteration - stopped.iteration);

@@ -118,7 +118,7 @@ std::vector<std::uint64_t> generated_strides(Size size, Realm realm) {
     const std::size_t cells = size.cells();
     if (realm == Realm::volume && cells > 1000)
         return cells > 5000 ? std::vector<std::uint64_t>{1, 3} : std::vector<std::uint64_t>{1, 1, 3, 1, 8};
-    if (cells > 5000) return {1, 3, 2};
+    if (cells > 5000) return {1, 3};
     if (cells > 1000) return {1, 1, 3, 1, 8, 26};
     return {1, 1, 3, 1, 2, 11};
 }

@@ -71,7 +71,7 @@ private:
         if (case_.realm != Realm::cells) return;
         if (world_["limit"] != "none") line("define division_limit " + world_["limit"]);
         if (world_["domain"] == "narrow") line("define domain 15 11");
-        if (world_["domain"] == "packed") line("define domain packed area 3.2");
+        if (world_["domain"] == "packed") line("define domain packed area 2.9");
     }
 
     void fields() {
@@ -151,6 +151,7 @@ private:
         change_settings(0.03, 3.5, 0.25);
         line("phase \"three\" 80");
         change_settings(0.0625, 4.75, 0.15);
+        line("define chemical Q limit none floor none");  // all the bounds that it had before
         for (std::size_t i = 0; i < case_.made->rules.size(); ++i) {
             if (in_phase(i)) text_ += generated_rule(case_, i);
         }

@@ -35,7 +35,7 @@ constexpr std::array<Course, 11> all_courses{{
     // Cells are born while others press against the edge of their domain.
     {"courses/packed-births", "division", {200, 20}, Path::shared, true, R"(
 define chemical A
-define domain packed area 3.2
+define domain packed area 2.9
 use chemical A conc 1 dev 0.5 diff 0.1
 create hex_circle 8
 rule probability 0.01 divide direction 0 dev 180
@@ -112,8 +112,8 @@ rule until 15 always change A conc (0.1 * G)
 )"},
     // First all rules act, then some, and there is one program for all that come after the first ones.
     {"courses/mesh-sets", "mesh step", {20, 5}, Path::step, true, rules_in_turn, "create icosphere 2", 1},
-    {"courses/lattice-sets", "single steps", {20, 5}, Path::step, true, rules_in_turn, "create matrix 20 15", 1},
-    {"courses/volume-sets", "volumes", {20, 5}, Path::step, true, rules_in_turn, "create volume 8 7 5", 1},
+    {"courses/lattice-sets", "single steps", {20, 5}, Path::step, false, rules_in_turn, "create matrix 20 15", 1},
+    {"courses/volume-sets", "volumes", {20, 5}, Path::step, false, rules_in_turn, "create volume 8 7 5", 1},
     // Buffers grow again and again.
     {"courses/candidates", "aggregates", {1300, 1700}, Path::step, true, R"(
 define chemical order
