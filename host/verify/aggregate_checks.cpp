@@ -32,7 +32,7 @@ struct AggregateCase {
 // last candidates have the same potential; bounds that are made anew for another eta in each iteration; corridors, at
 // whose ends a few great charges put the highest potentials beside a block that has none as high; many candidates, too;
 // charges so small that the last digits of what far ones add count.
-constexpr std::array<AggregateCase, 17> aggregate_cases{{
+constexpr std::array<AggregateCase, 18> aggregate_cases{{
     {"aggregates/point", "61 47", "COLUMN == 30 and ROW == 23", "rule always aggregate order phi eta 3\n"},
     {"aggregates/corner", "97 5", "COLUMN == 0 and ROW == 0", "rule always aggregate order phi eta 1\n"},
     {"aggregates/even", "40 37", "RANDOM < 0.02", "rule always aggregate order phi eta 0\n"},
@@ -55,6 +55,9 @@ constexpr std::array<AggregateCase, 17> aggregate_cases{{
      "rule every 2 always aggregate order phi eta 6 far-field\nrule from 30 always aggregate order phi eta 2.5 "
      "far-field\n",
      true},
+    // So many charges at the start that bounds were made anew one charge before.
+    {"aggregates/far-begun", "88 37", "COLUMN < 87 and mod(COLUMN, 3) == 1 and ROW < 36 and mod(ROW, 4) == 2",
+     "rule always aggregate order phi eta 3 far-field\n", true},
     {"aggregates/far-walls", "300 9 where (mod(COLUMN, 9) != 8 or ROW == mod(7 * COLUMN, 9))",
      "mod(COLUMN, 90) == 3 and ROW == 4", "rule always aggregate order phi eta 2 seed family far-field\n"},
     {"aggregates/far-sizes", "88 75", "RANDOM < 0.001 or ROW == COLUMN and ROW == 30",

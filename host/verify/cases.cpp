@@ -158,7 +158,7 @@ std::vector<Case> reaction_cases() {
 
 std::vector<Case> rate_cases() {
     std::vector<Case> cases;
-    const std::vector<Size> sizes{{1, 6}, {7, 1}, {2, 2}, {3, 5}, {18, 17}, {67, 23}};
+    const std::vector<Size> sizes{{1, 6}, {7, 1}, {2, 2}, {3, 5}, {4, 3}, {18, 17}, {67, 23}};
     const auto add = [&](const std::string& name, const std::function<Lab(Size)>& lab, bool with_uneven) {
         const auto turning = [lab](Size size) { return polarized(lab(size)); };
         cases.push_back({"rates/polarized/" + name, turning, sizes, 60, hardly_steep_touch, false, true});
