@@ -57,7 +57,7 @@ constexpr std::array<AggregateCase, 18> aggregate_cases{{
      true},
     // So many charges at the start that bounds were made anew one charge before.
     {"aggregates/far-begun", "88 37", "COLUMN < 87 and mod(COLUMN, 3) == 1 and ROW < 36 and mod(ROW, 4) == 2",
-     "rule always aggregate order phi eta 3 far-field\n", true},
+     "rule always aggregate order phi eta 3 far-field\n", true, true},
     {"aggregates/far-walls", "300 9 where (mod(COLUMN, 9) != 8 or ROW == mod(7 * COLUMN, 9))",
      "mod(COLUMN, 90) == 3 and ROW == 4", "rule always aggregate order phi eta 2 seed family far-field\n"},
     {"aggregates/far-sizes", "88 75", "RANDOM < 0.001 or ROW == COLUMN and ROW == 30",

@@ -19,7 +19,8 @@ public:
         std::string text = "define time_step 0.05\n";
         for (const char* const name : {"order", "phi", "family", "mass"})
             text += fmt::format("define chemical {}\n", name);
-        text += fmt::format("use seed -987654321987654321\ncreate charges {} {}{}{}\n", size_.columns, size_.rows, at(), where());
+        text += fmt::format("use seed -987654321987654321\ncreate charges {} {}{}{}\n", size_.columns, size_.rows, at(),
+                            where());
         text += seeds();
         text += is("when", "every") ? "rule every 2 offset 1 always " : "rule always ";
         text += action(eta()) + "\n";

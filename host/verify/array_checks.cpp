@@ -106,7 +106,8 @@ private:
                 blame_ = blame({experiment, text, state, states.back().iteration - state.iteration}, place_, setting_);
         }
         const bool last = one.size == generated_sizes(made_, realm_).back();
-        if (last && !place_.small() && state.cells() <= most_taken_up) take_up_again(experiment, states, one.size.text());
+        if (last && !place_.small() && state.cells() <= most_taken_up)
+            take_up_again(experiment, states, one.size.text());
         if (states.back().conc != state.conc) changed_ = true;
         if (!rounds_exactly(place_, setting_)) one_by_one(experiment, states);
     }

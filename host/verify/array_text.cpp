@@ -151,7 +151,8 @@ private:
         change_settings(0.03, 3.5, 0.25);
         line("phase \"three\" 80");
         change_settings(0.0625, 4.75, 0.15);
-        line("define chemical Q limit none floor none");  // all the bounds that it had before
+        // No bounds any more, which free cells would have another program for.
+        if (case_.realm != Realm::cells) line("define chemical Q limit none floor none");
         for (std::size_t i = 0; i < case_.made->rules.size(); ++i) {
             if (in_phase(i)) text_ += generated_rule(case_, i);
         }

@@ -80,7 +80,7 @@ std::vector<CellCase> features() {
             {"cells/divide-while-mapped",
              "rule always map A conc 0 6 to M 0 360\nrule probability 0.03 divide direction M\n"},
             {"cells/division-limit", "define division_limit 5\nrule probability 0.2 divide direction 0 dev 180\n"},
-            {"cells/packed-domain", "define domain packed area 2.9\nrule probability 0.02 divide direction 0 dev 180\n"},
+            {"cells/packed-domain", "define domain packed area 2.9\nrule probability 0.1 divide direction 0 dev 180\n"},
             {"cells/narrow-domain", "define domain 20 12\n"},
             {"cells/rules-that-come-and-go",
              "rule from 3 until 8 always change A conc 0.01\nrule from 5 always change B conc 0.02\n"
