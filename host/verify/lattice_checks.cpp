@@ -43,7 +43,7 @@ constexpr std::array<std::string_view, 25> quick_cases{"rules/whole-numbers/fuse
                                                        "rates/uneven/published/open",
                                                        "rates/polarized/five-point/absorbing",
                                                        "rules/quantities/fused",
-                                                       "rules/restless",
+                                                       "rules/draws/fused",
                                                        "rules/chains/published",
                                                        "growth/plain/absorbing",
                                                        "neural/no-flux",
