@@ -72,15 +72,14 @@ public:
         if (setting_.precision == Precision::double_ && !place_.device().fp64) {
             return {Verdict::skipped, {}, "the device has no numbers of double precision", {}};
         }
-        for (const Size size : generated_sizes(made_, realm_)) {
-            follow({&made_, realm_, size});
-        }
+        const std::vector<Size> sizes = generated_sizes(made_, realm_);
+        for (const Size& size : sizes) follow({&made_, realm_, size}, &size == &sizes.back());
         conclude();
         return std::move(outcome_);
     }
 
 private:
-    void follow(const GeneratedCase& one) {
+    void follow(const GeneratedCase& one, bool last) {
         const std::string text = generated_text(one);
         const Experiment experiment = generated_experiment(one, text);
         Snapshot state = initial_state(experiment, setting_.precision);
@@ -105,7 +104,6 @@ private:
             if (blame_.empty() && rounds_exactly(place_, setting_))
                 blame_ = blame({experiment, text, state, states.back().iteration - state.iteration}, place_, setting_);
         }
-        const bool last = one.size == generated_sizes(made_, realm_).back();
         if (last && !place_.small() && state.cells() <= most_taken_up)
             take_up_again(experiment, states, one.size.text());
         if (states.back().conc != state.conc) changed_ = true;

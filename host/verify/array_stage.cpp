@@ -116,9 +116,8 @@ std::vector<Size> generated_sizes(const GeneratedWorld& made, Realm realm) {
 std::vector<std::uint64_t> generated_strides(Size size, Realm realm) {
     if (realm == Realm::charges) return {1, 2, 60, 257};
     const std::size_t cells = size.cells();
-    if (realm == Realm::volume && cells > 1000)
-        return cells > 5000 ? std::vector<std::uint64_t>{1, 3} : std::vector<std::uint64_t>{1, 1, 3, 1, 8};
     if (cells > 5000) return {1, 3};
+    if (realm == Realm::volume && cells > 1000) return {1, 1, 3, 1, 8};
     if (cells > 1000) return {1, 1, 3, 1, 8, 26};
     return {1, 1, 3, 1, 2, 11};
 }

@@ -18,7 +18,6 @@ struct Size {
     std::size_t layers = 0;  // of a volume
 
     std::size_t cells() const { return columns * rows * (layers == 0 ? 1 : layers); }
-    bool operator==(const Size&) const = default;
     std::string text() const;  // "19 x 11"
 };
 
