@@ -26,7 +26,8 @@ constexpr std::array exclusions{
     Exclusion{"stencil", "|published|", "growth", "!|none|"},
     Exclusion{"stencil", "|5x5|", "rates", "|directed|"},
     Exclusion{"path", "|shared|", "group", "|several|"},
-    Exclusion{"path", "!|streamed|tiled|", "cut", "|small|"},
+    Exclusion{"path", "!|streamed|tiled|", "cut", "!|none|"},
+    Exclusion{"path", "|streamed|tiled|", "cut", "|none|"},
     Exclusion{"path", "|streamed|", "items", "|several|"},
     Exclusion{"path", "|shared|", "search", "|sorting|"},
     Exclusion{"phases", "|none|", "when", "|phase|"},
@@ -67,6 +68,9 @@ constexpr std::array left_to_triples{
     Exclusion{"path", "|streamed|tiled|", "stencil", "|5x5|"},
     Exclusion{"path", "|streamed|tiled|", "chemicals", "|twenty|"},
     Exclusion{"path", "|streamed|tiled|", "precision", "|double|"},
+    // What is not cut small shows the deepest passes, which nothing may break off.
+    Exclusion{"cut", "|whole|", "growth", "!|none|"},
+    Exclusion{"cut", "|whole|", "intervals", "|tested|"},
     // A model is one function for all paths: here a formula and what rules do to chemicals stand for it.
     Exclusion{"path", "|streamed|tiled|", "action", reactions_of_models},
     Exclusion{"search", "|bins|sorting|", "precision", "|double|"},

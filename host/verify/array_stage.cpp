@@ -109,8 +109,12 @@ std::vector<Size> generated_sizes(const GeneratedWorld& made, Realm realm) {
         return {{9, 4}, turn({{65'541, 1}, {311, 223}, {1, 65'541}, {520, 131}})};
     }
     const std::initializer_list<Size> narrow{{1, 37}, {2, 3}, {41, 1}, {1, 1}};  // of each path all of them
-    return {narrow.begin()[made.alike % narrow.size()], turn({{15, 6}, {16, 7}, {17, 15}, {33, 2}, {7, 5}}),
-            turn({{31, 9}, {65, 11}, {130, 3}}), turn({{24, 33}, {67, 71}})};
+    std::vector<Size> sizes{narrow.begin()[made.alike % narrow.size()],
+                            turn({{15, 6}, {16, 7}, {17, 15}, {33, 2}, {7, 5}}), turn({{31, 9}, {65, 11}, {130, 3}}),
+                            turn({{24, 33}, {67, 71}})};
+    // Passes that are not cut small would go round these more than once, across and along.
+    if (world["cut"] == "whole") sizes.insert(sizes.begin(), {{2, 9}, {9, 2}});
+    return sizes;
 }
 
 std::vector<std::uint64_t> generated_strides(Size size, Realm realm) {

@@ -54,10 +54,9 @@ constexpr std::string_view strips = "sizes/strips";
 // Of these also with a second work-group size, and on the other paths.
 constexpr std::array<std::string_view, 2> quick_groups{"diffusion/nine-point/no-flux", "diffusion/published/open"};
 // Of these the generated experiments have nearly all, with everything else that a rule may be.
-constexpr std::array<std::string_view, 3> quick_streamed{"rules/keeping/fused", "rules/restless",
-                                                         "diffusion/own-weights/absorbing"};
+constexpr std::array<std::string_view, 2> quick_streamed{"rules/keeping/fused", "rules/restless"};
 constexpr std::array<std::string_view, 1> quick_shared{strips};
-constexpr std::array<std::string_view, 2> quick_tiled{"diffusion/own-weights/no-flux", "rates/uneven/nine-point/wrap"};
+constexpr std::array<std::string_view, 1> quick_tiled{"diffusion/own-weights/no-flux"};
 
 template <class List>
 bool among(const std::string& name, const List& list) {

@@ -3,6 +3,7 @@
 
 #include "opencl/device/launch.hpp"
 #include "opencl/learn/settings.hpp"
+#include "opencl/rules/functions.hpp"
 
 #include <array>
 #include <cmath>
@@ -18,6 +19,14 @@ cl_int4 ends_of(const LearningShape& shape) {
              static_cast<cl_int>(shape.weights()), 0}};
 }
 
+// One program for all shapes.
+Source update_source() {
+    Source source;
+    source.text("#define PELAGE_WIDTH 1\n").file("common/prelude.cl");
+    for (const std::string& file : function_files({}, {"quotient"})) source.file(file);
+    return source.file("learn/sums.cl").file("learn/update.cl");
+}
+
 }  // namespace
 
 WeightUpdate::WeightUpdate(const Session& session, const LearningShape& shape)
@@ -27,7 +36,7 @@ WeightUpdate::WeightUpdate(const Session& session, const LearningShape& shape)
       numbers_(float_buffer(session, numbers_of_adam, "numbers of the optimiser")) {
     const std::vector<float> zeros(shape.weights());
     for (cl::Buffer* one : {&weights_, &means_, &squares_, &slopes_}) *one = filled_buffer(session, zeros, "weights");
-    const cl::Program program = session.build(learning_source(session, shape, 1).file("learn/update.cl").str());
+    const cl::Program program = session.build(update_source().str());
     total_ = cl::Kernel(program, "pelage_learn_total");
     lengths_ = cl::Kernel(program, "pelage_learn_lengths");
     adam_ = cl::Kernel(program, "pelage_learn_adam");
