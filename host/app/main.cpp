@@ -25,6 +25,7 @@ void tell_of_other_kernels(std::span<char*> arguments) {
     for (const std::string_view argument : arguments) {
         if (argument == "--worker") return;
     }
+    (void)pelage::kernel_sources();  // says so where one of them is not there
     if (!folder.empty())
         pelage::app::say(stderr, "note: kernels come from PELAGE_KERNELS, '{}', not from this program\n", folder);
     if (!pelage::schedule().empty()) {

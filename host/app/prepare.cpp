@@ -148,6 +148,15 @@ void prepare_folder(const fs::path& folder) {
         throw Error(fmt::format("folder {} cannot be written to: {}", folder.string(), system_reason(reason)));
 }
 
+void try_folder(const fs::path& folder) {
+    std::vector<fs::path> made;
+    for (fs::path at = fs::absolute(folder).lexically_normal(); !fs::exists(at); at = at.parent_path())
+        made.push_back(at);
+    prepare_folder(folder);
+    std::error_code ignored;
+    for (const fs::path& at : made) fs::remove(at, ignored);
+}
+
 void prepare_json(const fs::path& file) {
     if (file.empty() || (fs::exists(file) && fs::is_other(file))) return;  // a device or pipe needs no folder
     if (fs::is_directory(file)) throw Error(fmt::format("--json {} is a folder; name a file", file.string()));

@@ -33,7 +33,10 @@ void check_stability(const Experiment&, const Snapshot& initial);
 // Makes the folder and tries whether files can be written there. Throws Error when not.
 void prepare_folder(const std::filesystem::path&);
 
-// The same for the folder of --json; an empty path and a device are fine.
+// The same, and leaves no folder that was not there.
+void try_folder(const std::filesystem::path&);
+
+// The same as the first for the folder of --json; an empty path and a device are fine.
 void prepare_json(const std::filesystem::path& file);
 
 }  // namespace pelage::app

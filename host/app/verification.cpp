@@ -1,6 +1,7 @@
 // See verification.hpp.
 #include "app/verification.hpp"
 
+#include "app/interrupt.hpp"
 #include "app/last_will.hpp"
 #include "app/progress.hpp"
 #include "app/run_options.hpp"
@@ -8,7 +9,9 @@
 #include "app/worker.hpp"
 #include "core/allowance.hpp"
 #include "core/error.hpp"
+#include "opencl/device/kernel_sources.hpp"
 #include "opencl/device/pocl.hpp"
+#include "opencl/device/schedule.hpp"
 #include "opencl/device/session.hpp"
 
 #include <fmt/format.h>
@@ -62,9 +65,9 @@ public:
         seats_.resize(std::clamp<std::size_t>(jobs(), 1, checks_.size()));
         if (seats_.size() > 1) share_processors();
         for (Seat& seat : seats_) next(seat);
-        while (done_ < checks_.size()) wait();
+        while (done_ < checks_.size() && !Interrupt::came()) wait();
         show("");
-        return std::move(results_);
+        return those_known();
     }
 
 private:
@@ -73,6 +76,15 @@ private:
         std::optional<std::size_t> check;  // what it is at
         std::set<std::string> kernels;     // those that its worker has compiled
     };
+
+    // All of them, but where a signal came before.
+    std::vector<Result> those_known() {
+        std::vector<Result> known;
+        for (std::optional<Result>& result : results_) {
+            if (result) known.push_back(std::move(*result));
+        }
+        return known;
+    }
 
     std::size_t jobs() const { return options_.jobs != 0 ? options_.jobs : std::min(most_jobs, usable_processors()); }
 
@@ -139,7 +151,7 @@ private:
             put(*seat.check, std::move(result));
             if (broken_off) seat.worker.reset();  // a driver may be in disarray: the next check begins afresh
             next(seat);
-        } else if (seat.worker->ended()) {
+        } else if (seat.worker->ended() && !Interrupt::came()) {  // Ctrl-C ends workers, too
             give_up(seat, "");
         }
     }
@@ -173,7 +185,7 @@ private:
     const std::vector<Check>& checks_;
     const VerifyOptions& options_;
     std::vector<std::string> arguments_;
-    std::vector<Result> results_;
+    std::vector<std::optional<Result>> results_;
     std::vector<bool> dealt_;
     std::set<std::string> begun_;  // the kernels that some worker has compiled
     std::vector<Seat> seats_;
@@ -220,8 +232,12 @@ int answer_checks(const VerifyOptions& options) {
 }
 
 std::string reproduce_command(const VerifyOptions& options, const DeviceInfo& device, const std::string& check) {
-    std::vector<std::string> words{options.command, "verify", "--device", std::to_string(device.index),
-                                   options.full ? "--full" : "--quick"};
+    std::vector<std::string> words;
+    if (const std::string folder = kernels_folder(); !folder.empty())
+        words.push_back("PELAGE_KERNELS=" + shell_quoted(folder));
+    if (!schedule().empty()) words.push_back("PELAGE_SCHEDULE=" + shell_quoted(schedule()));
+    words.insert(words.end(), {options.command, "verify", "--device", std::to_string(device.index),
+                               options.full ? "--full" : "--quick"});
     if (options.small) words.emplace_back("--small");
     for (const std::string& word :
          {std::string("--seed"), std::to_string(options.seed), std::string("--filter"), check}) {

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "verify/report.hpp"
+#include "verify/seed.hpp"
 
 #include <cstddef>
 #include <cstdint>
@@ -17,7 +18,7 @@ struct VerifyOptions {
     bool full = false;
     bool small = false;
     std::string filter;  // part of the names of checks; empty: all
-    std::uint64_t seed = 1;
+    std::uint64_t seed = verify::usual_seed;
     std::size_t jobs = 0;     // child processes; 0: as many as processors, at most 8
     std::size_t limit = 300;  // seconds a check may take
     std::filesystem::path evidence = "pelage-verify";

@@ -1,5 +1,6 @@
 // `pelage verify`: proves the kernels right, or wrong, on a device.
 #include "app/commands.hpp"
+#include "app/interrupt.hpp"
 #include "app/named_files.hpp"
 #include "app/prepare.hpp"
 #include "app/progress.hpp"
@@ -9,6 +10,8 @@
 #include "core/error.hpp"
 #include "io/atomic_file.hpp"
 #include "io/manifest.hpp"
+#include "opencl/device/kernel_sources.hpp"
+#include "opencl/device/schedule.hpp"
 #include "verify/causes.hpp"
 #include "verify/report.hpp"
 
@@ -72,9 +75,17 @@ void print_failures(const verify::DeviceReport& report, const VerifyOptions& opt
 
 void print_summary(const verify::Report& report) {
     const verify::Summary sum = total(report);
-    say("\n{}: {} of {} passed, {} failed, {} mistrusted, {} skipped; {} compared, {}; {:.1f} s\n", word(sum.verdict()),
-        sum.passed, counted(sum.cases, "case"), sum.failed, sum.mistrusted, sum.skipped,
-        counted(sum.cells_compared, "cell"), counted(sum.cells_differing, "differs", "differ"), report.seconds);
+    say("\n");
+    for (const std::string& one : conditions(report)) say("{}.\n", one);
+    for (const verify::DeviceReport& device : report.devices) {
+        const std::string causes = verify::causes_text(device.results);
+        if (!causes.empty()) say("{}\n", causes);
+    }
+    const bool whole = report.left_out == 0;
+    say("{}: {} of {} passed, {} failed, {} mistrusted, {} skipped; {} compared, {}; {:.1f} s\n",
+        whole ? word(sum.verdict()) : "stopped", sum.passed, counted(sum.cases + report.left_out, "case"), sum.failed,
+        sum.mistrusted, sum.skipped, counted(sum.cells_compared, "cell"),
+        counted(sum.cells_differing, "differs", "differ"), report.seconds);
 }
 
 void print_comparison(const verify::Report& report) {
@@ -97,6 +108,7 @@ int verify_all(const Request& request) {
     if (request.quick && options.full) throw Error("--quick and --full exclude each other");
     if (request.worker) return answer_checks(options);
     if (request.list) return list(options);
+    if (!options.evidence.empty()) try_folder(options.evidence);
     prepare_json(request.json);
     prepare_json(request.page);
     keep_inputs("--html", request.page, {request.json}, "the file of --json");
@@ -107,11 +119,15 @@ int verify_all(const Request& request) {
     report.date = iso_time(std::chrono::system_clock::now());
     report.seed = options.seed;
     report.form = options.full ? "full" : "quick";
+    report.kernels = kernels_folder();
+    report.schedule = schedule();
+    const Interrupt interrupt;
     for (const DeviceInfo& device : devices_of(options)) {
         if (!device.unusable.empty()) throw Error(fmt::format("device '{}': {}", device.name, device.unusable));
         say("{}{} ({}, driver {})\n", report.devices.empty() ? "" : "\n", device.name, device.platform, device.driver);
         send();
         report.devices.push_back(verify_device(device, checks, options));
+        report.left_out += checks.size() - report.devices.back().results.size();
         say("{}", table(report.devices.back().results));
         print_failures(report.devices.back(), options);
     }
@@ -121,6 +137,7 @@ int verify_all(const Request& request) {
     const auto replace = nlohmann::ordered_json::error_handler_t::replace;  // a driver may not speak UTF-8
     if (!request.json.empty()) write_file(request.json, to_json(report).dump(2, ' ', false, replace) + "\n");
     if (!request.page.empty()) write_file(request.page, html(report));
+    if (Interrupt::came()) return interrupted;
     const verify::Summary sum = total(report);
     return sum.failed + sum.mistrusted == 0 ? success : failed_check;
 }

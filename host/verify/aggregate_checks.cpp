@@ -114,7 +114,7 @@ Outcome check_aggregate(const AggregateCase& one, Place& place) {
     }
     if (one.large && place.loop_limit() != 0) settings.resize(1);  // one group would go through too many places
     const bool few = place.small() || (one.large && !place.full());
-    return beside_the_reference(place, experiment_of(one), settings,
+    return beside_the_reference(place, place.seeded(experiment_of(one)), settings,
                                 std::span(stretches).first(few ? stretches_if_small : stretches.size()));
 }
 

@@ -13,14 +13,13 @@ namespace {
 class ChargesWriter {
 public:
     explicit ChargesWriter(const GeneratedCase& one)
-        : size_(one.size), world_(one.world()), start_(std::stoull(world_["start"])) {}
+        : size_(one.size), seed_(one.run_seed()), world_(one.world()), start_(std::stoull(world_["start"])) {}
 
     std::string text() const {
         std::string text = "define time_step 0.05\n";
         for (const char* const name : {"order", "phi", "family", "mass"})
             text += fmt::format("define chemical {}\n", name);
-        text += fmt::format("use seed -987654321987654321\ncreate charges {} {}{}{}\n", size_.columns, size_.rows, at(),
-                            where());
+        text += fmt::format("use seed {}\ncreate charges {} {}{}{}\n", seed_, size_.columns, size_.rows, at(), where());
         text += seeds();
         text += is("when", "every") ? "rule every 2 offset 1 always " : "rule always ";
         text += action(eta()) + "\n";
@@ -79,6 +78,7 @@ private:
     }
 
     Size size_;
+    std::int64_t seed_;
     Values world_;
     std::uint64_t start_;
 };

@@ -1,4 +1,5 @@
 // See check.hpp: experiments generated from what the program declares, see array_factors.hpp.
+#include "core/counted.hpp"
 #include "core/prepattern.hpp"
 #include "reference/backend.hpp"
 #include "verify/array_text.hpp"
@@ -18,7 +19,7 @@ namespace {
 
 constexpr std::size_t pairs = 2;
 constexpr std::size_t triples = 3;
-constexpr std::size_t strides_if_small = 2;
+constexpr std::size_t strides_if_small = 1;
 constexpr std::size_t most_taken_up = 10'000;  // cells of a state that is taken up again: of more, it takes too long
 
 std::size_t several(const Place& place) {
@@ -73,7 +74,7 @@ public:
             return {Verdict::skipped, {}, "the device has no numbers of double precision", {}};
         }
         const std::vector<Size> sizes = generated_sizes(made_, realm_);
-        for (const Size& size : sizes) follow({&made_, realm_, size}, &size == &sizes.back());
+        for (const Size& size : sizes) follow({&made_, realm_, size, place_.seed()}, &size == &sizes.back());
         conclude();
         return std::move(outcome_);
     }
@@ -96,8 +97,8 @@ private:
             states.push_back(expected->read());
             const Snapshot there = found->read();
             const bool equal_before = outcome_.tally.equal();
-            const std::string when = fmt::format("{}, {} iterations after the start", one.size.text(),
-                                                 states.back().iteration - state.iteration);
+            const std::string when = fmt::format("{}, {} after the start", one.size.text(),
+                                                 counted(states.back().iteration - state.iteration, "iteration"));
             add(outcome_.tally, states.back(), there, setting_.precision, when);
             if (!equal_before || outcome_.tally.equal()) continue;
             note_difference(text, states.back(), there, when);
@@ -166,7 +167,7 @@ private:
 };
 
 std::string kernel_of(const Values& world) {
-    if (world.realm() == Realm::cells) return "cells, generated";
+    if (world.realm() == Realm::cells) return "generated cells";
     if (world.realm() == Realm::volume) return "volumes";
     if (world.realm() == Realm::mesh) return "mesh step";
     if (world.realm() == Realm::charges) return "aggregates";

@@ -37,7 +37,7 @@ public:
         settings();
         for (const std::string& name : generated_chemicals(case_)) define(name);
         for (const std::string& name : generated_chemicals(case_)) use(name);
-        line("use seed -987654321987654321");
+        line(fmt::format("use seed {}", case_.run_seed()));
         if (plane()) line("use polarity 30 dev 170");
         create();
         rules();
@@ -141,7 +141,8 @@ private:
     }
 
     void rules() {
-        if (reads_mapping()) line("rule always map G conc 0.5 2.5 to M 0.0625 1.5");
+        // What G has beyond its bounds, and loses in the first iteration, maps to other numbers than the bounds.
+        if (reads_mapping()) line("rule always map G conc 0.25 2.75 to M 0.0625 1.5");
         if (lattice()) growth();
         for (std::size_t i = 0; i < case_.made->rules.size(); ++i) {
             if (!in_phase(i)) text_ += generated_rule(case_, i);
@@ -163,19 +164,20 @@ private:
     // M is read by name, and as what other quantities are compared with.
     bool reads_mapping() const { return !case_.made->rules.empty(); }
 
-    // Counted from the start on, or the language would take it to have grown before.
+    // Counted from the start on, or the language would take it to have grown before; in none of the first iterations of
+    // a phase, whose passes it would break off.
     void growth() {
         const std::string& how = world_["growth"];
         const auto expand = [&](const char* when, const char* what) {
             line(fmt::format("rule from {} every {} always expand {}", start_, when, what));
         };
         if (how == "inserted") {
-            expand("4 offset 2", "columns 1 rows 2 first rows");
-            expand("5 offset 4", "columns 2 distribution triangular");
+            expand("6 offset 2", "columns 1 rows 2 first rows");
+            expand("7 offset 4", "columns 2 distribution triangular");
         } else if (how == "stretched") {
-            expand("4 offset 2", "columns 1 rows 2 by bicubic");
-            expand("5 offset 4", "columns 2 by bilinear");
-            expand("7 offset 1", "rows 1 by nearest");
+            expand("6 offset 2", "columns 1 rows 2 by bicubic");
+            expand("7 offset 4", "columns 2 by bilinear");
+            expand("8 offset 5", "rows 1 by nearest");
         }
     }
 

@@ -5,6 +5,7 @@
 #include "core/snapshot.hpp"
 #include "verify/array_factors.hpp"
 #include "verify/cases.hpp"
+#include "verify/seed.hpp"
 
 #include <cstddef>
 #include <cstdint>
@@ -19,8 +20,11 @@ struct GeneratedCase {
     const GeneratedWorld* made = nullptr;
     Realm realm = Realm::lattice;
     Size size;
+    std::uint64_t seed = usual_seed;
 
     Values world() const { return {realm, made->world}; }
+    // Of all its draws: another one for each seed, and beyond 32 bits.
+    std::int64_t run_seed() const { return static_cast<std::int64_t>(seed - usual_seed) - 987'654'321'987'654'321; }
 };
 
 std::vector<Size> generated_sizes(const GeneratedWorld&, Realm);

@@ -103,12 +103,13 @@ Experiment spreading(Lab lab) {
     return lab.time_step(0.25).done();
 }
 
-// Every cell looks two columns and rows far.
+// Every cell looks three columns and rows far.
 Experiment looking_around(Size size) {
     return parse_experiment(
         fmt::format("define chemical U floor none\nuse seed 5\nuse chemical U conc 2 dev 0.5 diff 0.125\n"
-                    "define stencil look 5x5 1 0 2 0 3 0 0 0 0 0 4 0 -25 0 5 0 0 0 0 0 2 0 5 0 3\n"
-                    "create matrix {} {}\nrule always change U conc (look(U) / 64)\n",
+                    "define stencil look 7x7 1 0 0 2 0 0 3  0 4 0 0 6 0 0  2 0 0 0 0 0 0  5 0 4 -49 0 0 7  "
+                    "0 0 0 0 0 1 0  0 0 0 0 0 0 2  0 3 0 5 0 0 4\n"
+                    "create matrix {} {}\nrule always change U conc (look(U) / 128)\n",
                     size.columns, size.rows),
         "sizes/many-columns-around", ".");
 }

@@ -72,10 +72,10 @@ const std::vector<Dependence>& dependences() {
                                              {"checkpoints", {"single steps"}},
                                              {"cell step", {"neighbour search", "functions", "random numbers"}},
                                              {"division", {"cell step"}},
-                                             {"cells, generated", {"division"}},
+                                             {"generated cells", {"division"}},
                                              {"aggregates", {}},
                                              {"mesh step", {"gather", "functions", "random numbers"}},
-                                             {"random experiments", {"single steps", "cells, generated"}}};
+                                             {"random experiments", {"single steps", "generated cells"}}};
     return all;
 }
 

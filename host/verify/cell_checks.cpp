@@ -70,7 +70,7 @@ using Touch = std::function<void(Snapshot&)>;
 // `touch` changes the start of the experiment.
 Outcome check_cells(const CellCase& one, Place& place, const std::vector<Setting>& settings, const Touch& touch = {}) {
     Outcome outcome;
-    const Experiment experiment = parse_experiment(one.text(), one.name, ".");
+    const Experiment experiment = place.seeded(parse_experiment(one.text(), one.name, "."));
     Snapshot initial = initial_state(experiment);
     if (touch) touch(initial);
     const std::uint64_t last = place.small() ? iterations_if_small : iterations;
@@ -179,7 +179,7 @@ Snapshot many_more(Outcome& outcome, Place& place, const Setting& setting, const
 Outcome many_cells(Place& place) {
     if (place.small()) return {Verdict::skipped, {}, "left out with --small", {}};
     Outcome outcome;
-    const Experiment experiment = parse_experiment(crowd_of_cells, "many cells", ".");
+    const Experiment experiment = place.seeded(parse_experiment(crowd_of_cells, "many cells", "."));
     const Snapshot initial = initial_state(experiment);
     const Setting by_bins, together{.path = Path::shared}, by_sorting{.search = NeighbourSearch::spatial_sorting};
     std::vector<Snapshot> states{initial};

@@ -6,6 +6,7 @@
 #include "opencl/device/cl_error.hpp"
 #include "opencl/device/subnormal.hpp"
 #include "reference/backend.hpp"
+#include "verify/seed.hpp"
 
 #include <fmt/format.h>
 
@@ -44,6 +45,11 @@ std::string Setting::text() const {
 
 Place::Place(DeviceInfo device, std::uint64_t seed, bool full, bool small)
     : device_(std::move(device)), seed_(seed), full_(full), small_(small) {}
+
+Experiment Place::seeded(Experiment experiment) const {
+    if (seed_ != usual_seed) experiment.seed = static_cast<std::int64_t>(seed_);
+    return experiment;
+}
 
 OpenclBackend& Place::backend(const Setting& setting) {
     auto& backend = backends_[setting];

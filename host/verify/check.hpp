@@ -47,6 +47,8 @@ public:
 
     const DeviceInfo& device() const { return device_; }
     std::uint64_t seed() const { return seed_; }
+    // With the usual seed as it is written; with another one drawn anew, at the start and on its way.
+    Experiment seeded(Experiment) const;
     bool full() const { return full_; }    // the long form of a check
     bool small() const { return small_; }  // the smallest sizes alone, for simulators
 

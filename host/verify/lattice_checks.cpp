@@ -129,7 +129,7 @@ public:
 private:
     void run_sizes(const std::vector<Setting>& settings) {
         for (const Size size : sizes()) {
-            const Experiment experiment = case_.experiment(size);
+            const Experiment experiment = place_.seeded(case_.experiment(size));
             for (const Precision precision : {Precision::single_, Precision::double_}) {
                 run_size(experiment, size, precision, settings);
             }

@@ -153,7 +153,7 @@ std::vector<Check> mesh_checks() {
     std::vector<Check> checks;
     for (const MeshCase& one : mesh_cases())
         checks.push_back({one.name, "mesh step", false, [&one](Place& place) {
-                              return check_mesh(parse_experiment(one.text, one.name, "."), place);
+                              return check_mesh(place.seeded(parse_experiment(one.text, one.name, ".")), place);
                           }});
     checks.push_back({"mesh/reactions", "mesh step", false,
                       [](Place& place) { return check_mesh(on_mesh("reaction/fused"), place); }});

@@ -39,11 +39,16 @@ void read_each(Outcome& outcome, Place& place, const Experiment& experiment, Pre
     }
 }
 
+// Double precision makes programs of its own, which the quick form does without.
+std::vector<Precision> precisions_for(const Place& place) {
+    if (!place.full() || !place.device().fp64) return {Precision::single_};
+    return {Precision::single_, Precision::double_};
+}
+
 Outcome one_chemical(Place& place) {
     const Size flat = place.small() ? Size{19, 11} : Size{37, 26}, deep{7, 6, 5};
     Outcome outcome;
-    for (const Precision precision : {Precision::single_, Precision::double_}) {
-        if (precision == Precision::double_ && (!place.device().fp64 || !place.full())) continue;
+    for (const Precision precision : precisions_for(place)) {
         for (const char* const name : {"reaction/fused", "reaction/published"})
             read_each(outcome, place, lattice_case(name).experiment(flat), precision);
         read_each(outcome, place, lattice_case("volume/diffusion/seven-point/wrap").experiment(deep), precision);
@@ -66,8 +71,7 @@ Outcome missed_neighbours(Place& place) {
     Outcome outcome;
     const Experiment experiment = parse_experiment(cell_cases().front().text(), "cells that are sorted", ".");
     std::uint64_t most = 0;
-    for (const Precision precision : {Precision::single_, Precision::double_}) {
-        if (precision == Precision::double_ && (!place.device().fp64 || !place.full())) continue;
+    for (const Precision precision : precisions_for(place)) {
         const Setting sorting{.precision = precision, .search = NeighbourSearch::spatial_sorting};
         const Snapshot initial = initial_state(experiment, precision);
         const auto expected = reference_backend(precision, sorting.search)->make_tissue(experiment, initial);

@@ -72,6 +72,18 @@ Summary total(const Report& report) {
     return sum;
 }
 
+std::vector<std::string> conditions(const Report& report) {
+    std::vector<std::string> found;
+    if (!report.kernels.empty())
+        found.push_back(fmt::format("Kernels came from PELAGE_KERNELS, '{}', not from this program", report.kernels));
+    if (!report.schedule.empty())
+        found.push_back(fmt::format("Work was done in the order of PELAGE_SCHEDULE, '{}'", report.schedule));
+    if (report.left_out > 0)
+        found.push_back(
+            fmt::format("A signal stopped it: {} left out", counted(report.left_out, "check was", "checks were")));
+    return found;
+}
+
 std::vector<std::string> unlike(const Report& report) {
     std::map<std::string, std::map<std::string, std::vector<std::size_t>>> groups;  // check, fingerprint, devices
     for (const DeviceReport& device : report.devices) {
@@ -110,7 +122,11 @@ Result judge(const Check& check, Place& place, const std::filesystem::path& evid
     result.max_relative = outcome.tally.max_relative;
     result.fingerprint = fmt::format("{:016x}", outcome.tally.found.value());
     if (outcome.evidence && result.verdict == Verdict::failed && !evidence.empty()) {
-        result.files = keep_evidence(*outcome.evidence, check.name, evidence);
+        try {
+            result.files = keep_evidence(*outcome.evidence, check.name, evidence);
+        } catch (const std::exception& failure) {  // what was found is worth more than its pictures
+            result.message += fmt::format("{}no pictures: {}", result.message.empty() ? "" : "; ", failure.what());
+        }
     }
     result.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
     return result;

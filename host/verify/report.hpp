@@ -41,7 +41,10 @@ struct Report {
     std::string version;
     std::string date;  // when it began, as 2026-01-31T12:00:00Z
     std::uint64_t seed = 1;
-    std::string form;  // "quick" or "full"
+    std::string form;          // "quick" or "full"
+    std::string kernels;       // folder of other kernels than the program's own; empty: those
+    std::string schedule;      // order of work that was provoked; empty: the device's own
+    std::size_t left_out = 0;  // checks that a signal left undone
     double seconds = 0.0;
     std::vector<DeviceReport> devices;
 };
@@ -67,6 +70,10 @@ struct Summary {
 std::vector<Summary> by_kernel(const std::vector<Result>&);  // in order of first appearance
 Summary total(const std::vector<Result>&);
 Summary total(const Report&);
+
+// What else a reader must know: other kernels than the program's own, an order of work that was provoked, checks that
+// were left out. One sentence each, without a full stop.
+std::vector<std::string> conditions(const Report&);
 
 // One line for each check that two devices ran with unlike results.
 std::vector<std::string> unlike(const Report&);

@@ -140,6 +140,7 @@ std::string html(const Report& report) {
         "<h1>pelage verify: {}</h1>\n<p>{}, version {}, {} form, seed {}, {:.1f} s. {}</p>\n",
         style, badge(total(report).verdict()), escaped(report.date), escaped(report.version), report.form, report.seed,
         report.seconds, sentence(total(report)));
+    for (const std::string& one : conditions(report)) text += fmt::format("<p>{}.</p>\n", escaped(one));
     if (report.devices.size() > 1) {
         const std::vector<std::string> lines = unlike(report);
         text += lines.empty() ? "<p>All devices gave the same bits in every case that they share.</p>\n"

@@ -110,11 +110,16 @@ Result result_from_json(const Json& json) {
 Json to_json(const Report& report) {
     Json json{{"program", "pelage"}, {"version", report.version}, {"date", report.date},
               {"seed", report.seed}, {"form", report.form},       {"seconds", report.seconds}};
+    if (!report.kernels.empty()) json["kernels_folder"] = report.kernels;
+    if (!report.schedule.empty()) json["schedule"] = report.schedule;
+    json["left_out"] = report.left_out;
     if (report.devices.size() == 1) {
         json.update(to_json(report.devices.front()));
+        if (report.left_out > 0) json["summary"]["verdict"] = "stopped";
         return json;
     }
     json["summary"] = to_json(total(report));
+    if (report.left_out > 0) json["summary"]["verdict"] = "stopped";
     json["unlike"] = unlike(report);
     json["devices"] = Json::array();
     for (const DeviceReport& device : report.devices) json["devices"].push_back(to_json(device));

@@ -152,6 +152,17 @@ TEST_CASE("on each fused path the deepest passes meet wrapped lattices that are 
     CHECK(narrow);
 }
 
+// Of a torus two strips already meet at both ends: those of a volume are as low as its passes allow.
+TEST_CASE("on a wrapped volume that is cut small nothing breaks off the passes") {
+    bool unbroken = false;
+    for (const GeneratedWorld& world : generated_worlds(Realm::volume, 2)) {
+        const Values values(Realm::volume, world.world);
+        unbroken = unbroken || (values["cut"] == "small" && values["boundary"] == "wrap" &&
+                                values["extent"] == "several" && values["intervals"] == "compiled");
+    }
+    CHECK(unbroken);
+}
+
 TEST_CASE("experiments in which triples meet are of the language") {
     for (const Realm realm : every_realm) {
         for (const GeneratedWorld& world : generated_worlds(realm, 3)) {
