@@ -22,22 +22,24 @@ Experiment timed(const std::string& create, const std::string& name) {
         name, ".");
 }
 
-// A mapping is written until nobody reads it, while another one is. Cells turn, though no rate has a direction.
+// A mapping is written until nobody reads it, while another one is. Cells turn, though no rate has a direction. One
+// chemical stays as it is until a phase narrows its bounds, and is read.
 Experiment keeping(Size size) {
     return parse_experiment(
-        fmt::format("define chemical A limit 6 floor none\ndefine chemical B floor none\ndefine time_step 0.25\n"
-                    "define field drawn (0.5 + RANDOM)\ndefine field ramp (0.25 * sin(0.7 * COLUMN))\nuse seed 5\n"
-                    "use chemical A conc 2 dev 1 diff 0.2\nuse chemical B conc 2 dev 1 diff 0.1\n"
-                    "create matrix {} {}\nphase \"first\" 5\n"
-                    "rule always map A conc 0 5 to M 0.25 1\nrule always map B conc 0 5 to N 1 0.5\n"
-                    "rule always react A by (0.1 * M * drawn - 0.02 * A) B by (0.05 * N * NEIGHBORS)\n"
-                    "rule always polarize B conc\n"
-                    "phase \"second\" 100\nrule always map B conc 0 5 to N 2 1\n"
-                    "rule always react A by (0.1 * ramp - 0.02 * A) B by (0.05 * N * drawn - 0.01 * B)\n"
-                    "rule always react B by (0.03 * gradient_x(A) - 0.05 * gradient_y(A))\n"
-                    "rule if NEIGHBORS < 8 change B conc (0.02 * AGE)\n"
-                    "rule every 3 offset 4294967295 always change A conc 1\n",  // from the phase's begin: never
-                    size.columns, size.rows),
+        fmt::format(
+            "define chemical A limit 6 floor none\ndefine chemical B floor none\ndefine chemical C\n"
+            "define time_step 0.25\ndefine field drawn (0.5 + RANDOM)\ndefine field ramp (0.25 * sin(0.7 * COLUMN))\nuse seed 5\n"
+            "use chemical A conc 2 dev 1 diff 0.2\nuse chemical B conc 2 dev 1 diff 0.1\nuse chemical C conc 2 dev 1\n"
+            "create matrix {} {}\nphase \"first\" 5\n"
+            "rule always map A conc 0 5 to M 0.25 1\nrule always map B conc 0 5 to N 1 0.5\n"
+            "rule always react A by (0.1 * M * drawn - 0.02 * A) B by (0.05 * N * NEIGHBORS)\n"
+            "rule always polarize B conc\n"
+            "phase \"second\" 100\ndefine chemical C limit 2.25 floor 1.5\nrule always map B conc 0 5 to N 2 1\n"
+            "rule always react A by (0.1 * ramp - 0.02 * A + 0.05 * C) B by (0.05 * N * drawn - 0.01 * B)\n"
+            "rule always react B by (0.03 * gradient_x(A) - 0.05 * gradient_y(A))\n"
+            "rule if NEIGHBORS < 8 change B conc (0.02 * AGE)\n"
+            "rule every 3 offset 4294967295 always change A conc 1\n",  // from the phase's begin: never
+            size.columns, size.rows),
         "rules/keeping", ".");
 }
 
