@@ -19,7 +19,7 @@ namespace {
 
 constexpr std::size_t pairs = 2;
 constexpr std::size_t triples = 3;
-constexpr std::size_t strides_if_small = 1;
+constexpr std::size_t strides_if_small = 2;
 constexpr std::size_t most_taken_up = 10'000;  // cells of a state that is taken up again: of more, it takes too long
 
 std::size_t several(const Place& place) {

@@ -117,14 +117,14 @@ std::vector<Size> generated_sizes(const GeneratedWorld& made, Realm realm) {
     return sizes;
 }
 
-// Phases begin three and six iterations after the start: there, and at the start, a pass may take several iterations.
+// Phases begin three and six iterations after the start: there a pass may take several iterations.
 std::vector<std::uint64_t> generated_strides(Size size, Realm realm) {
     if (realm == Realm::charges) return {1, 2, 60, 257};
     const std::size_t cells = size.cells();
-    if (cells > 5000) return {3, 1};
-    if (realm == Realm::volume && cells > 1000) return {3, 1, 1, 1, 8};
-    if (cells > 1000) return {3, 1, 1, 1, 8, 26};
-    return {3, 1, 1, 1, 2, 11};
+    if (cells > 5000) return {1, 3};
+    if (realm == Realm::volume && cells > 1000) return {1, 1, 3, 1, 8};
+    if (cells > 1000) return {1, 1, 3, 1, 8, 26};
+    return {1, 1, 3, 1, 2, 11};
 }
 
 void set_stage(const GeneratedCase& one, Snapshot& state) {

@@ -173,10 +173,10 @@ private:
         };
         if (how == "inserted") {
             expand("6 offset 2", "columns 1 rows 2 first rows");
-            expand("7 offset 4", "columns 2 distribution triangular");
+            expand("7 offset 5", "columns 2 distribution triangular");
         } else if (how == "stretched") {
             expand("6 offset 2", "columns 1 rows 2 by bicubic");
-            expand("7 offset 4", "columns 2 by bilinear");
+            expand("7 offset 5", "columns 2 by bilinear");
             expand("8 offset 5", "rows 1 by nearest");
         }
     }
