@@ -24,7 +24,9 @@ struct GeneratedCase {
 
     Values world() const { return {realm, made->world}; }
     // Of all its draws: another one for each seed, and beyond 32 bits.
-    std::int64_t run_seed() const { return static_cast<std::int64_t>(seed - usual_seed) - 987'654'321'987'654'321; }
+    std::int64_t run_seed() const {
+        return static_cast<std::int64_t>(seed - usual_seed - std::uint64_t{987'654'321'987'654'321});
+    }
 };
 
 std::vector<Size> generated_sizes(const GeneratedWorld&, Realm);

@@ -27,7 +27,7 @@ Experiment timed(const std::string& create, const std::string& name) {
 Experiment keeping(Size size) {
     return parse_experiment(
         fmt::format(
-            "define chemical A limit 6 floor none\ndefine chemical B floor none\ndefine chemical C\n"
+            "define chemical A limit 6 floor none\ndefine chemical B floor none\ndefine chemical C limit 2.75\n"
             "define time_step 0.25\ndefine field drawn (0.5 + RANDOM)\ndefine field ramp (0.25 * sin(0.7 * "
             "COLUMN))\nuse seed 5\n"
             "use chemical A conc 2 dev 1 diff 0.2\nuse chemical B conc 2 dev 1 diff 0.1\nuse chemical C conc 2 dev 1\n"

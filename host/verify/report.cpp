@@ -133,7 +133,9 @@ Result judge(const Check& check, Place& place, const std::filesystem::path& evid
 }
 
 std::string ulp_text(std::uint64_t ulps) {
-    return ulps == std::numeric_limits<std::uint64_t>::max() ? "no number" : grouped(ulps);
+    if (ulps == std::numeric_limits<std::uint64_t>::max()) return "no number";
+    constexpr std::uint64_t fits_the_table = 100'000'000;
+    return ulps < fits_the_table ? grouped(ulps) : fmt::format("{:.1e}", static_cast<double>(ulps));
 }
 
 std::string table(const std::vector<Result>& results) {

@@ -86,7 +86,7 @@ nlohmann::ordered_json to_json(const Result&);
 Result result_from_json(const nlohmann::ordered_json&);  // throws nlohmann::json::exception
 nlohmann::ordered_json to_json(const Report&);
 
-// "1,024"; "no number" where a NaN stands against a number, which no count of steps between them tells.
+// "1,024", "1.8e+19"; "no number" where a NaN stands against a number, which no count of steps between them tells.
 std::string ulp_text(std::uint64_t ulps);
 
 // The table of verdicts by kernel, in lines of text.

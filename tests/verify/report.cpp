@@ -70,6 +70,23 @@ TEST_CASE("the table has a line for each kernel") {
     REQUIRE_THAT(table(report().devices[0].results), Contains("diffusion                2          200          7"));
 }
 
+TEST_CASE("distances in units of the last place fit their column, and what is no number is said to be none") {
+    CHECK(ulp_text(0) == "0");
+    CHECK(ulp_text(99'999'999) == "99,999,999");
+    CHECK(ulp_text(18'361'576'988'044'528'596u) == "1.8e+19");
+    CHECK(ulp_text(std::numeric_limits<std::uint64_t>::max()) == "no number");
+}
+
+TEST_CASE("what a reader must know of a report is said in it") {
+    Report report;
+    CHECK(conditions(report).empty());
+    report.kernels = "elsewhere";
+    report.left_out = 3;
+    REQUIRE(conditions(report).size() == 2);
+    CHECK_THAT(conditions(report)[0], Catch::Contains("PELAGE_KERNELS, 'elsewhere'"));
+    CHECK_THAT(conditions(report)[1], Catch::Contains("3 checks were left out"));
+}
+
 TEST_CASE("JSON holds device, version, seed, summary and cases") {
     const auto json = to_json(report());
 
