@@ -25,9 +25,10 @@ void tell_of_other_kernels(std::span<char*> arguments) {
     for (const std::string_view argument : arguments) {
         if (argument == "--worker") return;
     }
-    (void)pelage::kernel_sources();  // says so where one of them is not there
-    if (!folder.empty())
+    if (!folder.empty()) {
+        (void)pelage::kernel_sources();  // says so where one of them is not there
         pelage::app::say(stderr, "note: kernels come from PELAGE_KERNELS, '{}', not from this program\n", folder);
+    }
     if (!pelage::schedule().empty()) {
         pelage::app::say(stderr, "note: work is done in the order of PELAGE_SCHEDULE, '{}', and slowly\n",
                          pelage::schedule());

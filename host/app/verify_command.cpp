@@ -81,9 +81,8 @@ void print_summary(const verify::Report& report) {
         const std::string causes = verify::causes_text(device.results);
         if (!causes.empty()) say("{}\n", causes);
     }
-    const bool whole = report.left_out == 0;
     say("{}: {} of {} passed, {} failed, {} mistrusted, {} skipped; {} compared, {}; {:.1f} s\n",
-        whole ? word(sum.verdict()) : "stopped", sum.passed, counted(sum.cases + report.left_out, "case"), sum.failed,
+        verify::verdict_word(report), sum.passed, counted(sum.cases + report.left_out, "case"), sum.failed,
         sum.mistrusted, sum.skipped, counted(sum.cells_compared, "cell"),
         counted(sum.cells_differing, "differs", "differ"), report.seconds);
 }

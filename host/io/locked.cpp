@@ -82,9 +82,9 @@ PrivateFolder::PrivateFolder(const fs::path& parent, const std::string& beginnin
         }
         path_ = pattern;
         lock_ = open(pattern.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
-        const bool gone = lock_ < 0 && errno == ENOENT;  // somebody who tidies up was quicker
-        if (!gone && (lock_ < 0 || lock_own(lock_, path_))) return;
-        if (!gone) close(lock_);
+        if (lock_ < 0 && errno == ENOENT) continue;  // somebody who tidies up was quicker
+        if (lock_ < 0 || lock_own(lock_, path_)) return;
+        close(lock_);
     }
 }
 

@@ -28,8 +28,8 @@ Experiment keeping(Size size) {
     return parse_experiment(
         fmt::format(
             "define chemical A limit 6 floor none\ndefine chemical B floor none\ndefine chemical C limit 2.75\n"
-            "define time_step 0.25\ndefine field drawn (0.5 + RANDOM)\ndefine field ramp (0.25 * sin(0.7 * "
-            "COLUMN))\nuse seed 5\n"
+            "define time_step 0.25\nuse seed 5\n"
+            "define field drawn (0.5 + RANDOM)\ndefine field ramp (0.25 * sin(0.7 * COLUMN))\n"
             "use chemical A conc 2 dev 1 diff 0.2\nuse chemical B conc 2 dev 1 diff 0.1\nuse chemical C conc 2 dev 1\n"
             "create matrix {} {}\nphase \"first\" 5\n"
             "rule always map A conc 0 5 to M 0.25 1\nrule always map B conc 0 5 to N 1 0.5\n"

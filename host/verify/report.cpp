@@ -72,6 +72,10 @@ Summary total(const Report& report) {
     return sum;
 }
 
+const char* verdict_word(const Report& report) {
+    return report.left_out > 0 ? "stopped" : word(total(report).verdict());
+}
+
 std::vector<std::string> conditions(const Report& report) {
     std::vector<std::string> found;
     if (!report.kernels.empty())

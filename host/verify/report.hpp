@@ -71,6 +71,9 @@ std::vector<Summary> by_kernel(const std::vector<Result>&);  // in order of firs
 Summary total(const std::vector<Result>&);
 Summary total(const Report&);
 
+// "stopped" where checks were left out; else the verdict on all.
+const char* verdict_word(const Report&);
+
 // What else a reader must know: other kernels than the program's own, an order of work that was provoked, checks that
 // were left out. One sentence each, without a full stop.
 std::vector<std::string> conditions(const Report&);

@@ -19,11 +19,11 @@ table { border-collapse: collapse; margin: 1rem 0; width: 100%; }
 th, td { padding: .25rem .6rem; text-align: right; border-bottom: 1px solid #ddd; vertical-align: top; }
 th:first-child, td:first-child, td.text { text-align: left; }
 .passed { color: #12692a; } .failed { color: #b00020; font-weight: bold; }
-.mistrusted { color: #a05a00; font-weight: bold; } .skipped { color: #777; }
+.mistrusted, .stopped { color: #a05a00; font-weight: bold; } .skipped { color: #777; }
 figure { display: inline-block; margin: .5rem; } figure img { max-width: 18rem; image-rendering: pixelated; }
 figcaption { font-size: .85rem; } pre { background: #f5f5f5; padding: .5rem; overflow-x: auto; white-space: pre-wrap; }
 @media (prefers-color-scheme: dark) { body { background: #181818; color: #ddd; } pre { background: #262626; }
-  th, td { border-color: #444; } .passed { color: #6fcf8b; } .failed { color: #ff7b8a; } .mistrusted { color: #f0b060; } }
+  th, td { border-color: #444; } .passed { color: #6fcf8b; } .failed { color: #ff7b8a; } .mistrusted, .stopped { color: #f0b060; } }
 )";
 
 std::string escaped(std::string_view text) {
@@ -64,7 +64,8 @@ std::string base64(std::string_view bytes) {
     return out;
 }
 
-std::string badge(Verdict verdict) { return fmt::format("<span class=\"{0}\">{0}</span>", word(verdict)); }
+std::string badge(const char* verdict) { return fmt::format("<span class=\"{0}\">{0}</span>", verdict); }
+std::string badge(Verdict verdict) { return badge(word(verdict)); }
 
 std::string sentence(const Summary& sum) {
     return fmt::format("{} of {} passed, {} failed, {} mistrusted, {} skipped; {} compared, {}.", sum.passed,
@@ -138,7 +139,7 @@ std::string html(const Report& report) {
         "<!DOCTYPE html>\n<html lang=\"en\"><head><meta charset=\"utf-8\"><meta name=\"viewport\" "
         "content=\"width=device-width\"><title>pelage verify</title><style>{}</style></head><body>\n"
         "<h1>pelage verify: {}</h1>\n<p>{}, version {}, {} form, seed {}, {:.1f} s. {}</p>\n",
-        style, badge(total(report).verdict()), escaped(report.date), escaped(report.version), report.form, report.seed,
+        style, badge(verdict_word(report)), escaped(report.date), escaped(report.version), report.form, report.seed,
         report.seconds, sentence(total(report)));
     for (const std::string& one : conditions(report)) text += fmt::format("<p>{}.</p>\n", escaped(one));
     if (report.devices.size() > 1) {

@@ -115,11 +115,11 @@ Json to_json(const Report& report) {
     json["left_out"] = report.left_out;
     if (report.devices.size() == 1) {
         json.update(to_json(report.devices.front()));
-        if (report.left_out > 0) json["summary"]["verdict"] = "stopped";
+        json["summary"]["verdict"] = verdict_word(report);
         return json;
     }
     json["summary"] = to_json(total(report));
-    if (report.left_out > 0) json["summary"]["verdict"] = "stopped";
+    json["summary"]["verdict"] = verdict_word(report);
     json["unlike"] = unlike(report);
     json["devices"] = Json::array();
     for (const DeviceReport& device : report.devices) json["devices"].push_back(to_json(device));

@@ -80,11 +80,14 @@ TEST_CASE("distances in units of the last place fit their column, and what is no
 TEST_CASE("what a reader must know of a report is said in it") {
     Report report;
     CHECK(conditions(report).empty());
+    CHECK(verdict_word(report) == std::string("skipped"));  // nothing was checked
     report.kernels = "elsewhere";
     report.left_out = 3;
     REQUIRE(conditions(report).size() == 2);
     CHECK_THAT(conditions(report)[0], Catch::Contains("PELAGE_KERNELS, 'elsewhere'"));
     CHECK_THAT(conditions(report)[1], Catch::Contains("3 checks were left out"));
+    CHECK(verdict_word(report) == std::string("stopped"));
+    CHECK_THAT(html(report), Catch::Contains("pelage verify: <span class=\"stopped\">"));
 }
 
 TEST_CASE("JSON holds device, version, seed, summary and cases") {
