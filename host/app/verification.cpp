@@ -11,6 +11,7 @@
 #include "core/error.hpp"
 #include "opencl/device/kernel_sources.hpp"
 #include "opencl/device/pocl.hpp"
+#include "opencl/device/pocl_programs.hpp"
 #include "opencl/device/schedule.hpp"
 #include "opencl/device/session.hpp"
 
@@ -27,6 +28,7 @@
 #include <memory>
 #include <optional>
 #include <set>
+#include <tuple>
 #include <utility>
 
 #include <poll.h>
@@ -108,14 +110,15 @@ private:
     }
 
     // Checks of one kernel share programs, which each worker compiles for itself: it goes on with those that it has
-    // begun, else with those that nobody has, else with those of which most are left.
+    // begun, else with those that nobody has, else with those of which most are left, the last first: checks that share
+    // most lie next to each other.
     std::size_t choose(const Seat& seat) const {
         std::map<std::string, std::size_t> left;
         for (std::size_t i = 0; i < checks_.size(); ++i) left[checks_[i].kernel] += dealt_[i] ? 0 : 1;
         const auto rank = [&](std::size_t i) {
             const std::string& kernel = checks_[i].kernel;
             const std::size_t claim = seat.kernels.contains(kernel) ? 2 : begun_.contains(kernel) ? 0 : 1;
-            return std::pair(claim, claim == 0 ? left[kernel] : 0);
+            return std::tuple(claim, claim == 0 ? left[kernel] : 0, claim == 0 ? i : 0);
         };
         std::optional<std::size_t> best;
         for (std::size_t i = 0; i < checks_.size(); ++i) {
@@ -224,6 +227,7 @@ int answer_checks(const VerifyOptions& options) {
         const auto check = std::ranges::find(checks, name, &Check::name);
         if (check == checks.end()) throw Error("there is no check '" + name + "'");
         const Result result = verify::judge(*check, place, options.evidence);
+        keep_compiled();
         const auto replace = nlohmann::ordered_json::error_handler_t::replace;  // a driver may not speak UTF-8
         say("\n{}{}\n", answer_mark, to_json(result).dump(-1, ' ', false, replace));
         send();

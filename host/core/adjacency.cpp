@@ -48,20 +48,6 @@ void add(LatticeAdjacency& made, const Volume& volume, std::size_t cell, Directi
 
 }  // namespace
 
-std::optional<std::size_t> place_along(std::size_t place, int offset, std::size_t count, Boundary boundary) {
-    const auto length = static_cast<std::int64_t>(count);
-    const std::int64_t there = static_cast<std::int64_t>(place) + offset;
-    if (there >= 0 && there < length) return static_cast<std::size_t>(there);
-    if (boundary != Boundary::wrap) return std::nullopt;
-    return static_cast<std::size_t>((there % length + length) % length);
-}
-
-std::optional<std::size_t> place_repeated(std::size_t place, int offset, std::size_t count, Boundary boundary) {
-    const auto there = place_along(place, offset, count, boundary);
-    if (there || boundary != Boundary::no_flux) return there;
-    return offset < 0 ? 0 : count - 1;
-}
-
 double neighbour_share(const Lattice& lattice, Direction to) {
     const bool diagonal = to.up != 0 && to.right != 0;
     switch (lattice.stencil) {

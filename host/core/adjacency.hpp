@@ -49,10 +49,20 @@ LatticeAdjacency lattice_adjacency(const Lattice&);
 LatticeAdjacency volume_adjacency(const Volume&);
 
 // The place `offset` further along a line of `count` places; empty beyond an edge.
-std::optional<std::size_t> place_along(std::size_t place, int offset, std::size_t count, Boundary);
+inline std::optional<std::size_t> place_along(std::size_t place, int offset, std::size_t count, Boundary boundary) {
+    const auto length = static_cast<std::int64_t>(count);
+    const std::int64_t there = static_cast<std::int64_t>(place) + offset;
+    if (there >= 0 && there < length) return static_cast<std::size_t>(there);
+    if (boundary != Boundary::wrap) return std::nullopt;
+    return static_cast<std::size_t>((there % length + length) % length);
+}
 
 // The same where an edge that lets nothing through repeats its place; empty beyond an absorbing edge.
-std::optional<std::size_t> place_repeated(std::size_t place, int offset, std::size_t count, Boundary);
+inline std::optional<std::size_t> place_repeated(std::size_t place, int offset, std::size_t count, Boundary boundary) {
+    const auto there = place_along(place, offset, count, boundary);
+    if (there || boundary != Boundary::no_flux) return there;
+    return offset < 0 ? 0 : count - 1;
+}
 
 // The order in which a row takes the rows around it, as offsets -1, 0, 1 or -2 to 2: from below upwards; but the
 // published program takes its own row last in the bottom row and first in the top row of a grid that is not closed to a

@@ -44,7 +44,7 @@ kernel void pelage_aggregate_together(global uint* SHARED places, global long* S
                                       const int rows) {
     SPACE(long, space);
     local ulong weights[BLOCK];
-    for (int step = 0; step <= steps; ++step) {
+    for (int step = 0; step < AT_LEAST_ONCE(steps + 1); ++step) {
         const struct pelage_particle particle = particles[min(step, steps - 1)];
         pelage_gather(places, sums, charges, sizes, front, particle, 0, 1, ranges, parts, space);
         SYNC;

@@ -108,8 +108,9 @@ static inline void pelage_gather(global const uint* places, global long* sums,
     highest = pelage_most(highest, space);
     const int older = front->charges - 1;
     const int from = pelage_share(older, 1, group, groups), until = pelage_share(older, 1, group + 1, groups);
-    for (int n = 0; n < front->added; ++n) {
-        const long sum = pelage_sum_at(front->site[n], charges, sizes, from, until, space);
+    const int added = front->added;
+    for (int n = 0; n < AT_LEAST_ONCE(added); ++n) {
+        const long sum = pelage_sum_at(front->site[n], charges, sizes, from, n < added ? until : from, space);
         if (ITEM == 0) parts[group * MOST_NEW + n] = sum;
     }
     if (ITEM == 0) {
@@ -146,13 +147,14 @@ static inline void pelage_weigh(global uint* places, global long* sums,
     SYNC;
     const struct pelage_scale scale = pelage_scale_of(lowest, highest, particle.eta);
     ulong weights[PART];
-    for (int first = begin; first < end; first += BLOCK) {
-        const int each = pelage_each(min(BLOCK, end - first));
+    for (int nth = 0; nth < AT_LEAST_ONCE((end - begin + BLOCK - 1) / BLOCK); ++nth) {
+        const int first = begin + nth * BLOCK;
+        const int each = pelage_each(clamp(end - first, 0, BLOCK));
         pelage_weigh_block(scale, particle, places, sums, first, each, weights);
         long sum = 0l;
         for (int n = 0; n < each; ++n) sum += (long)weights[n];
         sum = pelage_sum_of(sum, space);
-        if (ITEM == 0) blocks[first / BLOCK] = (ulong)sum;
+        if (ITEM == 0 && first < end) blocks[first / BLOCK] = (ulong)sum;
     }
     if (ITEM == 0 && group == 0) {
         front->lowest = lowest;

@@ -41,6 +41,18 @@
 #define PELAGE_UNROLLED _Pragma("unroll 4")
 #endif
 
+// Loops over the lanes of the few vectors that reach past an edge: as vectors of vectors they would only take the
+// compiler long.
+#ifdef __clang__
+#define PELAGE_ROLLED _Pragma("clang loop vectorize(disable) unroll(disable)")
+#else
+#define PELAGE_ROLLED _Pragma("unroll 1")
+#endif
+
+// The count of a loop in which work-items meet and which is entered at least once. PoCL writes what follows such a loop
+// twice, once for when it is not entered, unless it sees that this cannot be.
+#define AT_LEAST_ONCE(count) max(count, 1)
+
 // real: one number a lane. mask: truth a lane, as comparisons of real give it; combine with & and |.
 typedef PELAGE_SCALAR scalar;
 #if PELAGE_WIDTH == 1

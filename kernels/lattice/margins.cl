@@ -22,7 +22,7 @@ static inline int pelage_stands_for(int i, int count, int beyond) {
 // Elements of a row at x .. x + PELAGE_WIDTH - 1, by what stands for them. Past a row's cells lies a 0.
 static inline real pelage_gather(global const scalar* row, int x, int columns) {
     scalar lanes[PELAGE_WIDTH];
-    #pragma unroll 1
+    PELAGE_ROLLED
     for (int k = 0; k < PELAGE_WIDTH; ++k) {
         lanes[k] = row[pelage_stands_for(min(x + k, columns + PELAGE_DEPTH - 1), columns, columns)];
     }
@@ -35,7 +35,7 @@ static inline real pelage_fetch(global const scalar* row, int x, int columns) {
 
 static inline intv pelage_fetch_whole(global const int* row, int x, int columns) {
     int lanes[PELAGE_WIDTH];
-    #pragma unroll 1
+    PELAGE_ROLLED
     for (int k = 0; k < PELAGE_WIDTH; ++k) {
         lanes[k] = row[pelage_stands_for(min(x + k, columns + PELAGE_DEPTH - 1), columns, columns)];
     }
@@ -44,7 +44,7 @@ static inline intv pelage_fetch_whole(global const int* row, int x, int columns)
 
 static inline uintv pelage_columns(int x, int columns) {
     uint lanes[PELAGE_WIDTH];
-    #pragma unroll 1
+    PELAGE_ROLLED
     for (int k = 0; k < PELAGE_WIDTH; ++k) {
         lanes[k] = (uint)pelage_stands_for(min(x + k, columns + PELAGE_DEPTH - 1), columns, 0);
     }
@@ -60,7 +60,7 @@ static inline void pelage_put(real v, global scalar* row, int x, int from, int t
 #if PELAGE_WIDTH > 1
     scalar lanes[PELAGE_WIDTH];
     STORE(v, lanes);
-    #pragma unroll 1
+    PELAGE_ROLLED
     for (int k = max(from - x, 0); k < min(to - x, PELAGE_WIDTH); ++k) row[x + k] = lanes[k];
 #endif
 }

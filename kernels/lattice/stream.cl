@@ -98,7 +98,7 @@ kernel __attribute__((reqd_work_group_size(PELAGE_GROUP, 1, 1))) void pelage_lat
         if (mine < 0) break;
         const int low = mine * strip;
         const int high = min(low + strip, rows);
-        const int blocks = (high - low + 2 * steps + PELAGE_BLOCK - 1) / PELAGE_BLOCK;
+        const int blocks = AT_LEAST_ONCE((high - low + 2 * steps + PELAGE_BLOCK - 1) / PELAGE_BLOCK);
         //@ planes
         for (int block = 0; block < blocks; ++block) {
             const int base = low - steps + block * PELAGE_BLOCK;
@@ -111,7 +111,7 @@ kernel __attribute__((reqd_work_group_size(PELAGE_GROUP, 1, 1))) void pelage_lat
             }
             barrier(CLK_LOCAL_MEM_FENCE);
             // A level has nothing to do before the rows it needs have come by.
-            const int levels = min(steps, (block * PELAGE_BLOCK + PELAGE_BLOCK - 1) / 2 + 1);
+            const int levels = AT_LEAST_ONCE(min(steps, (block * PELAGE_BLOCK + PELAGE_BLOCK - 1) / 2 + 1));
             for (int level = 0; level < levels; ++level) {
                 const int step = pass * steps + level;
                 const uint iteration = first + (uint)step;
@@ -141,8 +141,8 @@ kernel __attribute__((reqd_work_group_size(PELAGE_GROUP, 1, 1))) void pelage_lat
                     for (int i = lane; i < (PELAGE_BLOCK + KEPT) * PELAGE_FIELDS; i += PELAGE_GROUP) {
                         pelage_close(SCRATCH(level & 1, -KEPT, 0) + i * SLOT, columns);
                     }
-                    barrier(CLK_LOCAL_MEM_FENCE);
                 }
+                barrier(CLK_LOCAL_MEM_FENCE);
                 //@ shared
                 for (int c = lane; c < vectors; c += PELAGE_GROUP) {
                     const int x = x0 + c * PELAGE_WIDTH;

@@ -77,7 +77,7 @@ kernel __attribute__((reqd_work_group_size(PELAGE_GROUP, 1, 1))) void pelage_lat
         //@ fetch
     }
     barrier(CLK_LOCAL_MEM_FENCE);
-    for (int level = 0; level < steps; ++level) {
+    for (int level = 0; level < AT_LEAST_ONCE(steps); ++level) {
         const int step = level;
         const uint iteration = first + (uint)step;
         //@ shared

@@ -36,6 +36,7 @@ struct DeviceFront {  // struct pelage_front of kernels/aggregate/step.cl
 
 std::string source() {
     return Source()
+        .file("common/prelude.cl")
         .file("aggregate/terms.cl")
         .file("aggregate/group.cl")
         .file("aggregate/step.cl")

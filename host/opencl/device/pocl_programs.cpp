@@ -147,6 +147,16 @@ void keep(Program& program) {
     }
 }
 
+using Built = decltype(Store::built)::iterator;
+
+void keep_those(Store& kept, Built first, Built last) {
+    for (Built at = first; at != last; ++at) {
+        const auto found = kept.programs.find(at->second);
+        if (found != kept.programs.end()) keep(found->second);
+    }
+    kept.built.erase(first, last);
+}
+
 }  // namespace
 
 bool build_with_kept(const Session& session, const CacheKey& plain, const std::function<void()>& build) {
@@ -175,11 +185,13 @@ void keep_compiled(const Session& session) {
     Store& kept = store();
     const std::lock_guard lock(kept.guard);
     const auto [first, last] = kept.built.equal_range(&session);
-    for (auto at = first; at != last; ++at) {
-        const auto found = kept.programs.find(at->second);
-        if (found != kept.programs.end()) keep(found->second);
-    }
-    kept.built.erase(first, last);
+    keep_those(kept, first, last);
+}
+
+void keep_compiled() {
+    Store& kept = store();
+    const std::lock_guard lock(kept.guard);
+    keep_those(kept, kept.built.begin(), kept.built.end());
 }
 
 }  // namespace pelage

@@ -17,4 +17,7 @@ bool build_with_kept(const Session&, const CacheKey& key, const std::function<vo
 // Keeps what has been compiled since of the programs that this session built, which must have come to rest.
 void keep_compiled(const Session&);
 
+// The same for all sessions, which go on: other processes find it from now on.
+void keep_compiled();
+
 }  // namespace pelage
