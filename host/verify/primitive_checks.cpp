@@ -2,6 +2,7 @@
 #include "core/philox.hpp"
 #include "opencl/device/cl_error.hpp"
 #include "opencl/device/program.hpp"
+#include "opencl/device/subnormal.hpp"
 #include "verify/check.hpp"
 #include "verify/sorting.hpp"
 
@@ -201,6 +202,10 @@ Outcome long_loop(Place& place) {
 Outcome subnormal_numbers(Place& place) {
     Outcome outcome;
     outcome.tally.cells_compared = 1;
+    if (outcome.message = subnormal_fault(place.session()); !outcome.message.empty()) {
+        outcome.verdict = Verdict::failed;
+        return outcome;
+    }
     outcome.message = place.subnormal_difference();
     if (!outcome.message.empty()) outcome.verdict = Verdict::skipped;
     return outcome;

@@ -9,6 +9,8 @@
 #include <fmt/ranges.h>
 
 #include <array>
+#include <bit>
+#include <cstdint>
 
 namespace pelage {
 
@@ -19,6 +21,10 @@ constexpr std::array<cl_float, 7> numbers{0x1.8p-126f, -0x1p-126f, 0x1p-100f, 0x
 // In the order of kernels/common/subnormal.cl; each result is 0 where subnormal numbers are.
 constexpr std::array<const char*, 8> kinds{
     "sums", "products", "fma", "quotients", "terms of a sum", "factors of products", "factors of fma", "comparisons"};
+
+// The results where they are kept.
+constexpr std::array<cl_float, kinds.size()> kept_results{0x1p-127f, 0x1p-140f, 0x1p-140f, 0x1p-140f,
+                                                          0x1p-130f, 0x1p-90f,  0x1p-90f,  1.0f};
 
 std::array<cl_float, kinds.size()> results(const Session& session) {
     Source source;
@@ -44,6 +50,17 @@ std::vector<std::string> keeps_subnormals(const Session& session) {
         if (found[i] != 0.0f) kept.emplace_back(kinds[i]);
     }
     return kept;
+}
+
+std::string subnormal_fault(const Session& session) {
+    const auto found = with_device(session.info().name, [&] { return results(session); });
+    for (std::size_t i = 0; i < kinds.size(); ++i) {
+        if (found[i] == 0.0f || std::bit_cast<std::uint32_t>(found[i]) == std::bit_cast<std::uint32_t>(kept_results[i]))
+            continue;
+        return fmt::format("{} of subnormal numbers gave {:a}, which is neither 0 nor {:a}", kinds[i], found[i],
+                           kept_results[i]);
+    }
+    return {};
 }
 
 std::string subnormal_difference(const Session& session) {

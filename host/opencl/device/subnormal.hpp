@@ -12,6 +12,9 @@ namespace pelage {
 // where all of them are 0, as core/subnormal.hpp has it.
 std::vector<std::string> keeps_subnormals(const Session&);
 
+// Where the device gives something else than 0 or the subnormal number itself, what it gives; else empty.
+std::string subnormal_fault(const Session&);
+
 // Where device and processor do not treat subnormal numbers alike, a sentence about how far their results are equal
 // all the same; else empty, in double precision too.
 std::string subnormal_difference(const Session&);
