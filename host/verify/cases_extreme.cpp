@@ -103,6 +103,20 @@ Experiment spreading(Lab lab) {
     return lab.time_step(0.25).done();
 }
 
+// Rules act in rows and columns whose number has more than 16 bits, and where there are more than those.
+Experiment far_lines(Lab lab) {
+    const std::size_t u = lab.chemical("U", {4, 1}, {0.5, 0}, unbounded);
+    const std::size_t v = lab.chemical("V", {4, 1}, {0.25, 0}, {3.25, 4.75});
+    const auto beyond = [&](std::size_t chemical, Quantity what, double amount) {
+        lab.rule(change(chemical, number(amount)), compare(quantity(what), Comparison::greater, number(65'536)));
+    };
+    beyond(u, Quantity::row, 0.25);
+    beyond(u, Quantity::columns, 0.375);
+    beyond(v, Quantity::column, 0.25);
+    beyond(v, Quantity::rows, 0.375);
+    return lab.time_step(0.25).done();
+}
+
 // Every cell looks three columns and rows far.
 Experiment looking_around(Size size) {
     return parse_experiment(
@@ -155,7 +169,7 @@ std::vector<Case> extreme_cases() {
          .iterations = 12,
          .touch = tiny_values,
          .grows = true},
-        {.name = "sizes/many-rows", .experiment = matrix(spreading, Boundary::wrap), .sizes = large, .iterations = 3},
+        {.name = "sizes/many-rows", .experiment = matrix(far_lines, Boundary::wrap), .sizes = large, .iterations = 3},
         // Large enough for several strips: of single steps, and of passes of several.
         {.name = "sizes/strips",
          .experiment = matrix(spreading, Boundary::wrap),

@@ -108,6 +108,18 @@ Experiment ruled_volume(Lab lab) {
     return lab.done();
 }
 
+// Rules act in columns, rows and layers whose number has more than 16 bits, and where there are more than those.
+Experiment far_lines_of_volume(Lab lab) {
+    const auto told = lab.chemical("Q", {10, 4}, {0.05, 0}, unbounded);
+    double amount = 1;
+    for (const Quantity what :
+         {Quantity::column, Quantity::row, Quantity::layer, Quantity::columns, Quantity::rows, Quantity::layers}) {
+        lab.rule(change(told, number(amount)), compare(quantity(what), Comparison::greater, number(65'536)));
+        amount /= 2;
+    }
+    return lab.done();
+}
+
 Experiment neural_volume(Lab lab) {
     Neural neural;
     neural.network = drawn_network(4, 6, 7);
@@ -144,6 +156,9 @@ std::vector<Case> volume_cases() {
     add("rules/absorbing", ruled_volume, Boundary::absorbing, Stencil::seven_point, true);
     add("neural/wrap", neural_volume, Boundary::wrap, Stencil::seven_point, false);
     add("neural/absorbing", neural_volume, Boundary::absorbing, Stencil::twenty_seven_point, false);
+    add("far-lines", far_lines_of_volume, Boundary::wrap, Stencil::seven_point, false);
+    cases.back().sizes = {{65'539, 1, 2}, {2, 65'539, 1}, {1, 2, 65'539}};
+    cases.back().iterations = 3;
     return cases;
 }
 

@@ -74,3 +74,10 @@ TEST_CASE("an action that acts otherwise is named") {
     CHECK(outcome.exit_code == 1);
     CHECK_THAT(outcome.out, Contains("this is enough to make it differ:\n") && Contains(" move "));
 }
+
+TEST_CASE("what is made of a subnormal number is it or 0") {
+    const Outcome outcome = with_fault("common/subnormal.cl", "1.0f : 0.0f", "2.0f : 0.01f", "device/subnormal");
+    INFO(outcome.out << outcome.err);
+    CHECK(outcome.exit_code == 1);
+    CHECK_THAT(outcome.out, Contains("comparisons of subnormal numbers gave "));
+}

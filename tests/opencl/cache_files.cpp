@@ -2,6 +2,7 @@
 #include "opencl/device/cache.hpp"
 
 #include "lattice_run.hpp"
+#include "opencl/device/pocl_programs.hpp"
 #include "opencl/device/program.hpp"
 #include "opencl/device/session.hpp"
 
@@ -79,6 +80,20 @@ bool works() {
 }
 
 }  // namespace
+
+TEST_CASE("what a session has compiled is in the cache while the session goes on, once it is asked for") {
+    const Folder folder;
+    const Session session(select_device(), {});
+    cl::Kernel kernel(session.build("kernel void f(global int* a) { a[get_global_id(0)] = 7; }"), "f");
+    const cl::Buffer buffer = session.buffer(64, "results");
+    kernel.setArg(0, buffer);
+    session.queue().enqueueNDRangeKernel(kernel, cl::NullRange, cl::NDRange(16));
+    session.queue().finish();
+
+    keep_compiled();
+
+    CHECK(folder.files().size() == 1);
+}
 
 TEST_CASE("what was stored is loaded") {
     const Folder folder;
