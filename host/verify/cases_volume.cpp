@@ -158,7 +158,7 @@ std::vector<Case> volume_cases() {
     add("neural/absorbing", neural_volume, Boundary::absorbing, Stencil::twenty_seven_point, false);
     add("far-lines", far_lines_of_volume, Boundary::wrap, Stencil::seven_point, false);
     cases.back().sizes = {{65'539, 1, 2}, {2, 65'539, 1}, {1, 2, 65'539}};
-    cases.back().iterations = 3;
+    cases.back().iterations = 6;
     return cases;
 }
 
